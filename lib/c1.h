@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* c1 - the quadrilateral conditions that make a spline C1 across the inner edges of its grid.
+ *
+ * For an inner edge {a,b}, a < b, with opposite vertices u0 (in the lower triangle u) and v0 (in
+ * v), and m = k = 0..d-1 from a to b, j = d-1-m:
+ *
+ *     q^v_1jk = B0 q^u_1jk + B1 q_0,j+1,k + B2 q_0,j,k+1                                 [14]
+ * (4)(6)
+ *
+ * multiplied by twice the area of u: integer coefficients. Condition m of edge e has the number e*d
+ * + m (numbers of boundary edges mean nothing).
+ *
+ *          u0                     m = 0, d-1   ring 1 of an end vertex (extremes: two edge corners)
+ *         / 1jk                   m = 1, d-2   ring 2 (extremes: two inner corners)
+ *   a ---+---+--- b               others       middle conditions (extremes: two inner edge points)
+ *         \ 1jk
+ *          v0
+ */
+#ifndef C1_H
+#define C1_H
+
+#include "grid.h"
+
+enum point_type { /* [14] table 1 */
+                  TYPE_CORNER,
+                  TYPE_EDGE_CORNER,
+                  TYPE_EDGE,
+                  TYPE_INNER_CORNER,
+                  TYPE_INNER_EDGE,
+                  TYPE_INTERIOR,
+};
+
+/* "corner", "edge-corner", "edge", "inner-corner", "inner-edge", "interior"; NULL ends the table.
+ */
+extern const char *const c1_type_names[];
+
+enum point_type c1_type(const struct grid *g, uint32_t p);
+
+/* sum over i of coefficient[i] * q[point[i]] = 0. point[0] and [1] are the extremes, in v and in u;
+ * [2] and [3] lie on the edge, nearer to a and to b. Coefficients that are 0 are kept. */
+struct c1_condition {
+    uint32_t point[4];
+    int64_t coefficient[4];
+};
+
+/* Condition m of the inner edge e. O(1). */
+struct c1_condition c1_condition(const struct grid *g, uint32_t e, int m);
+
+/* Calls visit for every condition that contains point p with a non-zero coefficient, in the order
+ * of their numbers. O(degree of the vertex) for corners, else O(1). */
+void c1_conditions_of(const struct grid *g, uint32_t p,
+                      void (*visit)(void *context, uint32_t e, int m), void *context);
+
+/* Number of inner vertices, and of those that are singular: all their edges on exactly two lines.
+ */
+void c1_vertices(const struct grid *g, uint32_t *inner, uint32_t *singular);
+
+/* The rank of all conditions: d*E_I - 2*V_I - s for d >= 5 (decles.md; [LS]). */
+size_t c1_rank_formula(const struct grid *g);
+
+/* Largest |sum a q| and largest |sum a q| / sum |a q| (0/0 = 0) over all conditions for a component
+ * q[stride * p]; *edge is where the relative one is attained. */
+void c1_residual(const struct grid *g, const double *q, size_t stride, double *absolute,
+                 double *relative, uint32_t *edge);
+
+#endif

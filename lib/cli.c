@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cli.h"
+
+#include "mem.h"
+#include "num.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { KEY_HELP = 'h', KEY_VERSION = 'V', OPTIONS_MAX = 40 };
+
+static const struct cli_option common[] = {
+    {KEY_HELP, "help", NULL, "print this and exit"},
+    {KEY_VERSION, "version", NULL, "print the version and exit"},
+};
+
+void cli_init(struct cli *cli, const struct cli_program *program, int argc, char **argv) {
+    *cli = (struct cli){.program = program, .argc = argc, .argv = argv};
+}
+
+static int option_count(const struct cli_program *program) {
+    int n = 0;
+    while (program->options[n].name) n++;
+    return n;
+}
+
+static const struct cli_option *option_at(const struct cli_program *program, int i) {
+    int n = option_count(program);
+    return i < n ? &program->options[i] : &common[i - n];
+}
+
+static bool is_optional(const struct cli_option *o) {
+    return o->arg && o->arg[0] == '[';
+}
+
+static void print_option(const struct cli_option *o) {
+    char left[80];
+    const char *space = o->arg && !is_optional(o) ? " " : "", *arg = o->arg ? o->arg : "";
+    if (o->key < 256)
+        snprintf(left, sizeof left, "-%c, --%s%s%s", o->key, o->name, space, arg);
+    else
+        snprintf(left, sizeof left, "    --%s%s%s", o->name, space, arg);
+    printf("  %-27s %s\n", left, o->help);
+}
+
+static void print_help(const struct cli_program *program) {
+    int n = option_count(program);
+    printf("usage: %s %s\n", program->name, program->synopsis);
+    for (int i = 0; i < n; i++) print_option(&program->options[i]);
+    printf("  %-27s %s\n", "-h, --help; -V, --version", "print this; print the version");
+    fputs(program->epilogue, stdout);
+}
+
+/* Fills getopt's two descriptions of the options from our one table. */
+static void describe(const struct cli_program *program, struct option *longs, char *shorts) {
+    int n = option_count(program) + (int)(sizeof common / sizeof *common);
+    INVARIANT(n < OPTIONS_MAX);
+    *shorts++ = ':'; /* report a missing argument apart */
+    for (int i = 0; i < n; i++) {
+        const struct cli_option *o = option_at(program, i);
+        int has = is_optional(o) ? optional_argument : o->arg ? required_argument : no_argument;
+        longs[i] = (struct option){o->name, has, NULL, 256 + i};
+        if (o->key >= 256) continue;
+        *shorts++ = (char)o->key;
+        if (has == required_argument) *shorts++ = ':';
+    }
+    longs[n] = (struct option){0};
+    *shorts = '\0';
+}
+
+static const struct cli_option *find_option(const struct cli_program *program, int got) {
+    int n = option_count(program) + (int)(sizeof common / sizeof *common);
+    if (got >= 256) return option_at(program, got - 256);
+    for (int i = 0; i < n; i++)
+        if (option_at(program, i)->key == got) return option_at(program, i);
+    return NULL;
+}
+
+static bool usage_error(const struct cli *cli, struct err *err, const char *what,
+                        const char *word) {
+    return err_set(err, ERR_USAGE, "%s '%s'; try %s --help", what, word, cli->program->name);
+}
+
+int cli_next(struct cli *cli, struct err *err) {
+    struct option longs[OPTIONS_MAX];
+    char shorts[2 * OPTIONS_MAX];
+    const char *word = optind < cli->argc ? cli->argv[optind] : "";
+    int got;
+    opterr = 0;
+    describe(cli->program, longs, shorts);
+    got = getopt_long(cli->argc, cli->argv, shorts, longs, NULL);
+    if (got == -1) {
+        cli->operands = cli->argv + optind;
+        cli->operand_count = cli->argc - optind;
+        return CLI_END;
+    }
+    if (got == '?' || got == ':') {
+        const char *bad = cli->argv[optind - 1];
+        if (strncmp(bad, "--", 2) != 0 && word[0] == '-' && word[1] != '-') bad = word;
+        usage_error(cli, err, got == ':' ? "missing argument of" : "unknown option", bad);
+        return CLI_STOP;
+    }
+    cli->option = find_option(cli->program, got);
+    cli->value = optarg;
+    INVARIANT(cli->option);
+    if (cli->option->key == KEY_HELP) print_help(cli->program);
+    if (cli->option->key == KEY_VERSION)
+        printf("%s (supple) %s\n", cli->program->name, SUPPLE_VERSION);
+    return cli->option->key == KEY_HELP || cli->option->key == KEY_VERSION ? CLI_STOP
+                                                                           : cli->option->key;
+}
+
+bool cli_bad_value(const struct cli *cli, struct err *err, const char *format, ...) {
+    char text[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    return err_set(err, ERR_USAGE, "--%s: expected %s, got '%s'; try %s --help", cli->option->name,
+                   text, cli->value, cli->program->name);
+}
+
+/* Reads n numbers separated by commas, with nothing behind them. */
+static bool read_list(const char *s, int n, double *x) {
+    const char *end = s + strlen(s);
+    for (int i = 0; i < n; i++) {
+        if (i > 0 && *s++ != ',') return false;
+        if (num_read(s, end, &x[i], &s) != NUM_OK) return false;
+    }
+    return s == end;
+}
+
+bool cli_double(const struct cli *cli, double lo, double hi, double *x, struct err *err) {
+    if (read_list(cli->value, 1, x) && *x >= lo && *x <= hi) return true;
+    return cli_bad_value(cli, err, "a number in %g..%g", lo, hi);
+}
+
+bool cli_int(const struct cli *cli, int64_t lo, int64_t hi, int64_t *n, struct err *err) {
+    const char *end = cli->value + strlen(cli->value), *next = NULL;
+    if (num_read_int(cli->value, end, n, &next) == NUM_OK && next == end && *n >= lo && *n <= hi)
+        return true;
+    return cli_bad_value(cli, err, "an integer in %lld..%lld", (long long)lo, (long long)hi);
+}
+
+bool cli_doubles(const struct cli *cli, int n, double *x, struct err *err) {
+    if (read_list(cli->value, n, x)) return true;
+    return cli_bad_value(cli, err, "%d numbers separated by commas (%s)", n, cli->option->arg);
+}
+
+bool cli_cells(const struct cli *cli, int64_t hi, int64_t n[2], struct err *err) {
+    const char *s = cli->value, *end = s + strlen(s), *next = NULL;
+    bool ok = num_read_int(s, end, &n[0], &next) == NUM_OK && *next == 'x' &&
+              num_read_int(next + 1, end, &n[1], &next) == NUM_OK && next == end;
+    if (ok && n[0] >= 1 && n[0] <= hi && n[1] >= 1 && n[1] <= hi) return true;
+    return cli_bad_value(cli, err, "two integers in 1..%lld as in 16x12", (long long)hi);
+}
+
+bool cli_choice(const struct cli *cli, const char *const *names, int *index, struct err *err) {
+    char list[256] = "";
+    size_t used = 0;
+    for (int i = 0; names[i]; i++)
+        if (strcmp(names[i], cli->value) == 0) {
+            *index = i;
+            return true;
+        }
+    for (int i = 0; names[i] && used < sizeof list; i++)
+        used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", names[i]);
+    return cli_bad_value(cli, err, "one of %s", list);
+}
+
+const char *cli_operand(const struct cli *cli, int i) {
+    return i < cli->operand_count ? cli->operands[i] : "-";
+}
+
+bool cli_check_operands(const struct cli *cli, int min, int max, struct err *err) {
+    int standard = 0;
+    if (cli->operand_count < min)
+        return err_set(err, ERR_USAGE, "missing operand; usage: %s %s", cli->program->name,
+                       cli->program->synopsis);
+    if (cli->operand_count > max)
+        return usage_error(cli, err, "surplus operand", cli->operands[max]);
+    for (int i = 0; i < max; i++) standard += strcmp(cli_operand(cli, i), "-") == 0;
+    if (standard > 1)
+        return err_set(err, ERR_USAGE, "two inputs from stdin; usage: %s %s", cli->program->name,
+                       cli->program->synopsis);
+    return true;
+}
+
+static const char *base_name(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash && slash[1] ? slash + 1 : path;
+}
+
+/* Appends one word of the command line, in quotes where a shell would need them. */
+static void append_word(FILE *to, const char *word) {
+    bool plain = *word && !strpbrk(word, " \t\n\r\"'\\#$&*();<>?[]`{|}~");
+    fputs(plain ? " " : " '", to);
+    for (; *word; word++) fputc((unsigned char)*word < ' ' ? ' ' : *word, to);
+    if (!plain) fputc('\'', to);
+}
+
+char *cli_history(const struct cli *cli, struct err *err) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *to = open_memstream(&text, &size);
+    struct cli scan = *cli;
+    struct err ignored = {0};
+    int key;
+    if (!to) {
+        err_memory(err);
+        return NULL;
+    }
+    fputs(cli->program->name, to);
+    optind = 0; /* read the options once more; this also forgets getopt's place in a word */
+    while ((key = cli_next(&scan, &ignored)) >= 0) {
+        char name[64];
+        bool file = scan.option->arg && strstr(scan.option->arg, "FILE");
+        if (key == 'o') continue;
+        snprintf(name, sizeof name, "--%s", scan.option->name);
+        append_word(to, name);
+        if (scan.value) append_word(to, file ? base_name(scan.value) : scan.value);
+    }
+    for (int i = 0; i < scan.operand_count; i++)
+        if (strcmp(scan.operands[i], "-") != 0) append_word(to, base_name(scan.operands[i]));
+    if (fclose(to) == 0) return text;
+    free(text);
+    err_memory(err);
+    return NULL;
+}
+
+void cli_note(const struct cli *cli, const char *format, ...) {
+    va_list args;
+    fprintf(stderr, "%s: ", cli->program->name);
+    va_start(args, format);
+    vfprintf(stderr, format, args);
+    va_end(args);
+    fputc('\n', stderr);
+}
+
+static void print_error(const struct cli *cli, const struct err *err) {
+    fprintf(stderr, "%s: ", cli->program->name);
+    if (err->file[0]) fprintf(stderr, "%s:", err->file);
+    if (err->line) fprintf(stderr, "%zu:", err->line);
+    if (err->col) fprintf(stderr, "%zu:", err->col);
+    fprintf(stderr, "%s%s\n", err->file[0] ? " " : "", err->message);
+}
+
+int cli_finish(const struct cli *cli, const struct err *err) {
+    int status = (int)err->kind;
+    if (err->kind) print_error(cli, err);
+    if (fflush(stdout) != 0) { /* only --help and --version use stdio; results go through out.h */
+        fprintf(stderr, "%s: cannot write <stdout>: %s\n", cli->program->name, strerror(errno));
+        if (status == 0) status = ERR_INPUT;
+    }
+    if (fflush(stderr) != 0 && status == 0) status = ERR_INPUT;
+    return status;
+}

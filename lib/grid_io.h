@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* grid_io - the grid format, supple-grid(5). */
+#ifndef GRID_IO_H
+#define GRID_IO_H
+
+#include "out.h"
+#include "spline.h"
+
+/* A spline as a file: what is to be kept beside the map itself. */
+struct grid_file {
+    struct spline spline;
+    char *history; /* the comment lines after the first record, each "# ...\n"; may be "" */
+};
+
+/* Reads path (NULL or "-": stdin). 100 MB/s or more. */
+bool grid_read(struct grid_file *file, const char *path, struct err *err) WARN_UNUSED;
+void grid_file_free(struct grid_file *file);
+
+/* Writes the canonical form. `added` is a line for the history without "# " and newline, or NULL.
+ * Reading and writing a canonical file gives the same bytes. */
+void grid_write(struct out *out, const struct grid_file *file, const char *added, int digits);
+
+#endif

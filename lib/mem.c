@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "mem.h"
+
+#include <string.h>
+
+void *mem_alloc(size_t n, size_t size, struct err *err) {
+    void *p = calloc(n ? n : 1, size);
+    if (!p) err_memory(err);
+    return p;
+}
+
+bool mem_grow_bytes(void *array, size_t *cap, size_t need, size_t size, struct err *err) {
+    size_t n = *cap + *cap / 2, bytes;
+    void *old, *fresh;
+    if (n < need) n = need;
+    if (n < 16) n = 16;
+    if (__builtin_mul_overflow(n, size, &bytes)) return err_memory(err);
+    memcpy(&old, array, sizeof old); /* array is a T **; memcpy keeps the aliasing rules */
+    fresh = realloc(old, bytes);
+    if (!fresh) return err_memory(err);
+    memcpy(array, &fresh, sizeof fresh);
+    *cap = n;
+    return true;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* out - buffered output that is checked: to stdout, or to a temporary beside the named file,
+ * renamed over it by out_close, so that an old file survives every failure. Errors stick until
+ * out_close. */
+#ifndef OUT_H
+#define OUT_H
+
+#include "err.h"
+
+#include <stdint.h>
+
+struct out {
+    struct err err; /* sticky */
+    /* private */
+    int fd;
+    char *path, *temp; /* NULL: stdout */
+    char *buf;
+    size_t used;
+};
+
+/* NULL or "-" is stdout. Ended by out_close or out_discard. */
+bool out_open(struct out *out, const char *path, struct err *err) WARN_UNUSED;
+
+void out_bytes(struct out *out, const char *bytes, size_t length);
+void out_text(struct out *out, const char *text);
+void out_char(struct out *out, char c);
+void out_int(struct out *out, int64_t n);
+void out_double(struct out *out, double x, int digits); /* digits as in num_print */
+void out_format(struct out *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Writes what is left, closes, renames; reports the first failure of all. */
+bool out_close(struct out *out, struct err *err) WARN_UNUSED;
+
+/* Removes the temporary; bytes that already went to stdout cannot be taken back. Idempotent, and
+ * harmless after out_close or on a zeroed struct. */
+void out_discard(struct out *out);
+
+#endif
