@@ -48,6 +48,7 @@ struct decles_report {
     bool by_qr;
     const uint32_t *derived_point; /* D */
     const double *suggested;       /* p' of each, k columns */
+    const double *before;          /* where each was, k columns: what an undo needs */
     const uint64_t *condition;     /* E, as numbers e*d + m */
 };
 
