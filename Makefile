@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# GNU make. `make help` lists the targets.
-BUILD  ?= build
-PREFIX ?= /usr/local
+# GNU make. `make help` lists the targets. Variables: BUILD (folder of a variant), PREFIX, DESTDIR,
+# CC, CXX, OPT, WERROR=-Werror, SAN (sanitizer flags), FUZZ_SECONDS.
+BUILD   ?= build
+PREFIX  ?= /usr/local
+DESTDIR ?=
 ifeq ($(origin CC),default)
 CC  := gcc
 endif
@@ -10,28 +12,91 @@ CXX := g++
 endif
 OPT    ?= -O2 -g
 WERROR ?=
+SAN    ?=
 VERSION := $(shell cat VERSION)
+FUZZ_SECONDS ?= 30
+export BUILD FUZZ_SECONDS
 
 WARN     := -Wall -Wextra -Wshadow -Wconversion -Wvla $(WERROR)
-CPPFLAGS += -Ilib -D_GNU_SOURCE -DSUPPLE_VERSION='"$(VERSION)"' $(SAN)
+CPPFLAGS += -Ilib -D_GNU_SOURCE -DSUPPLE_VERSION='"$(VERSION)"'
 CFLAGS   += -std=c11 $(OPT) -ffp-contract=off $(WARN) -Wmissing-prototypes $(SAN)
 CXXFLAGS += -std=c++17 $(OPT) -ffp-contract=off $(WARN) $(SAN)
-LDLIBS   := -lspqr -lcholmod $(shell pkg-config --libs mpfr gmp zlib) -lm
-TESTLIBS := $(shell pkg-config --libs cmocka)
+LIBS     := -lspqr -lcholmod $(shell pkg-config --libs mpfr gmp zlib) -lm
+TESTLIBS := $(shell pkg-config --libs cmocka 2>/dev/null || echo -lcmocka)
 
-LIB_OBJ := $(patsubst %.c,$(BUILD)/%.o,$(wildcard lib/*.c)) $(patsubst %.cc,$(BUILD)/%.o,$(wildcard lib/*.cc))
+objects  = $(patsubst %,$(BUILD)/%.o,$(basename $(1)))
 LIB     := $(BUILD)/libsupple.a
-TOOLS   := $(patsubst tools/%.c,$(BUILD)/bin/%,$(wildcard tools/*.c))
-TESTS   := $(patsubst lib/test/%.c,$(BUILD)/test/%,$(wildcard lib/test/t-*.c))
+LIB_OBJ := $(call objects,$(wildcard lib/*.c lib/*.cc))
+TOOLS   := $(patsubst %.c,$(BUILD)/bin/%,$(notdir $(wildcard tools/*.c)))
+TESTS   := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard lib/test/t-*.c)))
+FUZZERS := $(patsubst %.c,$(BUILD)/fuzz/%,$(notdir $(wildcard lib/fuzz/fuzz-*.c)))
+HEADERS := $(filter-out lib/shim_%,$(wildcard lib/*.h))
+SOURCES := $(wildcard lib/*.[ch] lib/*.cc lib/test/*.[ch] lib/fuzz/*.[ch] tools/*.c scripts/bench/*.c scripts/bench/*.cc)
+SUITES  := unit golden properties
 
-.PHONY: all help unit clean
-all: $(TOOLS)            ## build the programs into build/bin
+.PHONY: all tests help unit check check-long bless demo bench asan fuzz fuzzers lint format install uninstall dist clean
+all: $(TOOLS) $(LIB)     ## build the programs into build/bin
+
+tests: $(TESTS)          ## build the unit tests into build/test
 
 help:                    ## list the targets
-	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(MAKEFILE_LIST) | expand -t 16
+	@sed -n 's/^\([a-z-]*\):[^#]*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 16
+
+demo: all                ## bend a worm into an omega
+	scripts/demo
 
 unit: $(TESTS)           ## run the unit tests
-	@set -e; for t in $(TESTS); do echo "$$t"; $$t; done
+	scripts/unit
+
+check: all $(TESTS)      ## run all tests that take seconds
+	scripts/suites $(SUITES)
+
+check-long: all $(TESTS) ## run them with ten times the random cases
+	SUPPLE_TEST_SCALE=1000 scripts/suites unit properties
+
+bless: all               ## record what the programs print now as the golden output; review by git diff
+	scripts/golden --bless
+
+bench: all               ## measure speed and memory against the limits
+	scripts/bench/run
+
+asan:                    ## test with AddressSanitizer and UBSan (clang), a quarter of the random cases
+	$(MAKE) BUILD=build/asan CC=clang CXX=clang++ OPT='-O1 -g' \
+	    SAN='-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' all tests
+	BUILD=build/asan SUPPLE_TEST_SCALE=25 scripts/suites unit golden
+
+fuzz:                    ## fuzz every text format, FUZZ_SECONDS in all (clang)
+	$(MAKE) BUILD=build/fuzz CC=clang CXX=clang++ OPT='-O1 -g' \
+	    SAN='-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all' fuzzers
+	BUILD=build/fuzz scripts/fuzz
+
+fuzzers: $(FUZZERS)
+
+lint:                    ## check sources, scripts and manuals against the rules of the house
+	scripts/lint
+
+format:                  ## lay out the sources with clang-format
+	clang-format -i $(SOURCES)
+
+install: all             ## install programs, library, headers and manuals below PREFIX
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig include/supple share/man/man1 \
+	    share/man/man3 share/man/man5 share/man/man7)
+	install $(TOOLS) $(DESTDIR)$(PREFIX)/bin
+	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
+	install -m 644 $(HEADERS) $(DESTDIR)$(PREFIX)/include/supple
+	for n in 1 3 5 7; do install -m 644 man/*.$$n $(DESTDIR)$(PREFIX)/share/man/man$$n || exit; done
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: supple' 'Description: smooth deformations of plane and 2.5-D space' \
+	    'Version: $(VERSION)' 'Cflags: -I$${prefix}/include/supple' \
+	    'Libs: -L$${prefix}/lib -lsupple $(LIBS) -lstdc++' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/supple.pc
+
+uninstall:               ## remove what install put there
+	cd $(DESTDIR)$(PREFIX) && rm -f $(addprefix bin/,$(notdir $(TOOLS))) lib/libsupple.a \
+	    lib/pkgconfig/supple.pc $(foreach m,$(notdir $(wildcard man/*.[1-8])),share/man/man$(subst .,,$(suffix $m))/$m)
+	rm -rf $(DESTDIR)$(PREFIX)/include/supple
+
+dist:                    ## pack the last commit as build/supple-VERSION.tar.gz
+	@mkdir -p build
+	git archive --prefix=supple-$(VERSION)/ -o build/supple-$(VERSION).tar.gz HEAD
 
 clean:                   ## remove what was built
 	rm -rf build
@@ -42,11 +107,15 @@ $(LIB): $(LIB_OBJ)
 
 $(BUILD)/bin/%: $(BUILD)/tools/%.o $(LIB)
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< $(LIB) $(LDLIBS)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< $(LIB) $(LIBS)
 
 $(BUILD)/test/%: $(BUILD)/lib/test/%.o $(LIB)
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< $(LIB) $(LDLIBS) $(TESTLIBS)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< $(LIB) $(LIBS) $(TESTLIBS)
+
+$(BUILD)/fuzz/%: $(BUILD)/lib/fuzz/%.o $(LIB)
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $< $(LIB) $(LIBS)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
