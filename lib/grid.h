@@ -54,10 +54,19 @@ struct grid_place {
     int weight[3];
 };
 
+/* Which record of a grid an error is about. */
+struct grid_culprit {
+    enum { GRID_BAD_WHOLE, GRID_BAD_VERTEX, GRID_BAD_TRIANGLE } kind;
+    uint32_t number;
+};
+
 /* Checks and completes a grid whose fields up to `triangle` are set (arrays from mem.h, owned by
  * the grid from now on, also on failure). Refusals name vertex or triangle numbers: ERR_INPUT, no
- * place. O(n log n). Overlapping triangles are not looked for (check-grid does). */
+ * place. O(n). Overlapping triangles are not looked for (check-grid does). */
 bool grid_build(struct grid *g, struct err *err) WARN_UNUSED;
+
+/* The same; on ERR_INPUT, *culprit says which record is to blame (the later one of two). */
+bool grid_build_blaming(struct grid *g, struct grid_culprit *culprit, struct err *err) WARN_UNUSED;
 void grid_free(struct grid *g);
 
 static inline int grid_patch_size(int degree) {
@@ -70,7 +79,8 @@ uint32_t grid_point(const struct grid *g, uint32_t t, int i, int j, int k);
 /* All points of triangle t, i descending, then j descending; grid_patch_size(degree) numbers. */
 void grid_patch(const struct grid *g, uint32_t t, uint32_t *points);
 
-/* The place of point p in the lowest triangle that has it. O(1) (O(log) for edge points). */
+/* The place of point p in the lowest triangle that has it. O(1), corners O(degree of the vertex).
+ */
 struct grid_place grid_place(const struct grid *g, uint32_t p);
 
 /* The triangles that have point p: one, an edge's one or two, or a vertex's fan. *single is room
@@ -80,7 +90,8 @@ const uint32_t *grid_triangles_of(const struct grid *g, uint32_t p, uint32_t *si
 /* Weights of point p in triangle t, which must have it. */
 void grid_weights(const struct grid *g, uint32_t p, uint32_t t, int weight[3]);
 
-/* Nominal position of point p in world units, rounded correctly from the exact rational. */
+/* Nominal position of point p in world units, rounded correctly from the exact rational. About 30
+ * ns. Exact zeros are +0. */
 void grid_nominal(const struct grid *g, uint32_t p, double xy[2]);
 
 /* World position of vertex v, rounded correctly. */

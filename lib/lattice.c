@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* With p = step*n and o = origin*d the value is (o + p)/d. Products and sum are split exactly,
+ *
+ *      p = p1 + p2,   o = o1 + o2,   o1 + p1 = s + t,      low = t + (p2 + o2) up to rounding,
+ *
+ * and q = fl(s/d) leaves the exact remainder s - q d, so that the value is q + c with
+ * c = ((s - q d) + low)/d up to an error far below 2^-96 (|o1| + |p1|)/d. If q + c rounds to the
+ * same double with c a little smaller and a little larger, that double is the answer (Ziv's test).
+ * Else, and near the ends of the exponent range where the splits are not exact, rationals decide.
+ */
+#include "lattice.h"
+
+#include <gmp.h>
+#include <math.h>
+#include <mpfr.h>
+
+/* Rounds v to odd at 64 bits first: rounding again, to 53 bits or to a subnormal, is then the same
+ * as rounding once. */
+static double round_rational(const mpq_t v) {
+    mpfr_t x;
+    double result;
+    mpfr_init2(x, 64);
+    if (mpfr_set_q(x, v, MPFR_RNDZ) != 0) {
+        mpfr_t odd;
+        mpfr_init2(odd, 65);
+        mpfr_set(odd, x, MPFR_RNDN);
+        if (mpfr_sgn(x) > 0) /* one bit more than x has: always odd */
+            mpfr_nextabove(odd);
+        else
+            mpfr_nextbelow(odd);
+        mpfr_swap(x, odd);
+        mpfr_clear(odd);
+    }
+    result = mpfr_zero_p(x) ? 0.0 : mpfr_get_d(x, MPFR_RNDN);
+    mpfr_clear(x);
+    return result;
+}
+
+static double by_rationals(double origin, double step, int64_t n, int d) {
+    mpq_t v, o;
+    double result;
+    mpq_inits(v, o, NULL);
+    mpq_set_si(o, n, (unsigned long)d);
+    mpq_canonicalize(o);
+    mpq_set_d(v, step);
+    mpq_mul(v, v, o);
+    mpq_set_d(o, origin);
+    mpq_add(v, v, o);
+    result = round_rational(v);
+    mpq_clears(v, o, NULL);
+    return result;
+}
+
+/* Zero, or far enough from both ends of the exponent range for exact splits. */
+static bool is_ordinary(double x) {
+    double m = fabs(x);
+    return m == 0 || (m > 0x1p-800 && m < 0x1p900);
+}
+
+double lattice_coordinate(double origin, double step, int64_t n, int d) {
+    double p1 = step * (double)n, o1 = origin * (double)d;
+    double p2, o2, s, t, low, q, c, margin, down, up, back;
+    if (!is_ordinary(p1) || !is_ordinary(o1)) return by_rationals(origin, step, n, d);
+    p2 = fma(step, (double)n, -p1);
+    o2 = fma(origin, (double)d, -o1);
+    s = o1 + p1; /* two_sum */
+    back = s - o1;
+    t = (o1 - (s - back)) + (p1 - back);
+    low = t + (p2 + o2);
+    q = s / (double)d;
+    if (low == 0 && p2 == 0 && o2 == 0 && t == 0) return q + 0.0; /* one rounding in all */
+    c = (fma(-q, (double)d, s) + low) / (double)d;
+    margin = 0x1p-96 * (fabs(o1) + fabs(p1)) / (double)d;
+    down = q + (c - margin);
+    up = q + (c + margin);
+    return down == up ? down : by_rationals(origin, step, n, d);
+}

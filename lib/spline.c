@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "spline.h"
+
+#include "mem.h"
+
+bool spline_identity(struct spline *s, struct grid *g, struct err *err) {
+    uint32_t n = g->point_count;
+    *s = (struct spline){.grid = *g};
+    *g = (struct grid){0};
+    if (!mem_new(s->phi, n, err) || (s->grid.has_depth && !mem_new(s->sigma, n, err))) {
+        spline_free(s);
+        return false;
+    }
+    for (uint32_t p = 0; p < n; p++) grid_nominal(&s->grid, p, s->phi[p]);
+    for (uint32_t p = 0; p < n && s->sigma; p++) {
+        s->sigma[p][0] = s->grid.depth[0];
+        s->sigma[p][1] = s->grid.depth[1];
+    }
+    return true;
+}
+
+void spline_free(struct spline *s) {
+    grid_free(&s->grid);
+    free(s->phi);
+    free(s->sigma);
+    *s = (struct spline){0};
+}
