@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A sign is computed in doubles together with a bound of its error (the bound of predicate_side is
+ * proved in the header, that of predicate_orient below). Only where the bound does not separate it
+ * from zero, the same expression is evaluated in GMP rationals: every double is one. */
+#include "predicate.h"
+
+#include <gmp.h>
+
+int64_t predicate_area2(const int32_t a[2], const int32_t b[2], const int32_t c[2]) {
+    int64_t bx = (int64_t)b[0] - a[0], by = (int64_t)b[1] - a[1];
+    int64_t cx = (int64_t)c[0] - a[0], cy = (int64_t)c[1] - a[1];
+    return bx * cy - by * cx;
+}
+
+/* Sets q to the exact p - origin - step * n. */
+static void exact_offset(mpq_t q, double p, double origin, double step, int32_t n) {
+    mpq_t term;
+    mpq_init(term);
+    mpq_set_si(q, n, 1);
+    mpq_set_d(term, step);
+    mpq_mul(q, q, term);
+    mpq_set_d(term, origin);
+    mpq_add(q, q, term);
+    mpq_set_d(term, p);
+    mpq_sub(q, term, q);
+    mpq_clear(term);
+}
+
+static int exact_side(const struct lattice *lattice, const int32_t a[2], const int32_t b[2],
+                      const double p[2]) {
+    mpq_t ex, ey, factor;
+    int sign;
+    mpq_inits(ex, ey, factor, NULL);
+    exact_offset(ex, p[0], lattice->x0, lattice->step, a[0]);
+    exact_offset(ey, p[1], lattice->y0, lattice->step, a[1]);
+    mpq_set_si(factor, (long)b[0] - a[0], 1);
+    mpq_mul(ey, ey, factor);
+    mpq_set_si(factor, (long)b[1] - a[1], 1);
+    mpq_mul(ex, ex, factor);
+    sign = mpq_cmp(ey, ex);
+    mpq_clears(ex, ey, factor, NULL);
+    return (sign > 0) - (sign < 0);
+}
+
+int predicate_side(const struct lattice *lattice, const int32_t a[2], const int32_t b[2],
+                   const double p[2]) {
+    double bound, side = predicate_side_filter(lattice, a, b, p, &bound);
+    if (side > bound) return 1;
+    if (side < -bound) return -1;
+    return exact_side(lattice, a, b, p);
+}
+
+/* Sets q to the exact (p - a) * (r - b). */
+static void exact_product(mpq_t q, double p, double a, double r, double b) {
+    mpq_t second, term;
+    mpq_inits(second, term, NULL);
+    mpq_set_d(q, p);
+    mpq_set_d(term, a);
+    mpq_sub(q, q, term);
+    mpq_set_d(second, r);
+    mpq_set_d(term, b);
+    mpq_sub(second, second, term);
+    mpq_mul(q, q, second);
+    mpq_clears(second, term, NULL);
+}
+
+/* det = (bx-ax)(cy-ay) - (by-ay)(cx-ax). The four differences carry a relative error u each, the
+ * products and the last difference another: |error| <= 4u (|l| + |r|) to first order, plus half of
+ * the least subnormal for a product that underflows. */
+int predicate_orient(const double a[2], const double b[2], const double c[2]) {
+    double l = (b[0] - a[0]) * (c[1] - a[1]), r = (b[1] - a[1]) * (c[0] - a[0]);
+    double det = l - r, bound = 0x1p-50 * (fabs(l) + fabs(r)) + 0x1p-1072;
+    mpq_t left, right;
+    int sign;
+    if (det > bound) return 1;
+    if (det < -bound) return -1;
+    mpq_inits(left, right, NULL);
+    exact_product(left, b[0], a[0], c[1], a[1]);
+    exact_product(right, b[1], a[1], c[0], a[0]);
+    sign = mpq_cmp(left, right);
+    mpq_clears(left, right, NULL);
+    return (sign > 0) - (sign < 0);
+}
