@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* locate - which triangle of a grid holds a point, exactly.
  *
- * A walk from a hint, with buckets for the start where the hint is far; every step is decided by
- * the exact predicate_side, so a point on a shared edge or corner is found, and belongs to the
- * lowest triangle number. Near O(1) for coherent input. Read-only after locator_init: threads may
+ * A short walk from a hint, then buckets; every step is decided by the exact predicate_side, so a
+ * point on a shared edge or corner is found, and belongs to the lowest triangle number. Near O(1).
+ * Read-only after locator_init: threads may
  * share it. */
 #ifndef LOCATE_H
 #define LOCATE_H

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* spline - a deformation: a grid and control points.
  *
- *   phi(p) = sum q_ijk B_ijk(b),  B_ijk = d!/(i!j!k!) b0^i b1^j b2^k                       [14]
- * (1)(2) psi(x,y,z) = (phi(x,y), a0 sigma0(x,y) + a1 sigma1(x,y)),  a0=(b-z)/(b-a), a1=(z-a)/(b-a)
- * [11] (9)
+ *   phi(p) = sum q_ijk B_ijk(b),  B_ijk = d!/(i!j!k!) b0^i b1^j b2^k             [14] (1)(2)
+ *   psi(x,y,z) = (phi(x,y), a0 sigma0(x,y) + a1 sigma1(x,y)),                    [11] (9)
+ *   a0 = (b-z)/(b-a), a1 = (z-a)/(b-a)
  *
  * Evaluation works on displacements, q - nominal position, and adds the point itself: the same
  * value up to rounding, and where all control points of a triangle are nominal, psi is the identity
@@ -30,5 +30,19 @@ void spline_free(struct spline *s);
  * O(degree^2). */
 void spline_evaluate(const struct spline *s, uint32_t t, const double b[3], const double p[3],
                      double value[3], double jacobian[3][3]);
+
+/* The same for many points: nominal positions are computed once, and what a triangle needs is
+ * gathered when the triangle changes. The results are the same bit for bit. */
+struct spline_cursor {
+    const struct spline *spline; /* borrowed, unchanged while the cursor lives */
+    double *shift;               /* displacements of all control points */
+    double *patch;               /* those of `triangle` */
+    uint32_t triangle;
+};
+bool spline_cursor_init(struct spline_cursor *c, const struct spline *s,
+                        struct err *err) WARN_UNUSED;
+void spline_cursor_free(struct spline_cursor *c);
+void spline_cursor_evaluate(struct spline_cursor *c, uint32_t t, const double b[3],
+                            const double p[3], double value[3], double jacobian[3][3]);
 
 #endif
