@@ -17,6 +17,20 @@
 
 #include "lattice.h"
 
+bool grid_axes(const char *letters, size_t length, int axes[3]) {
+    int got[2];
+    if (length != 2) return false;
+    for (int i = 0; i < 2; i++) {
+        if (letters[i] < 'x' || letters[i] > 'z') return false;
+        got[i] = letters[i] - 'x';
+    }
+    if (got[0] == got[1]) return false;
+    axes[0] = got[0];
+    axes[1] = got[1];
+    axes[2] = 3 - got[0] - got[1];
+    return true;
+}
+
 static uint32_t edge_points(const struct grid *g) {
     return (uint32_t)(g->degree - 1);
 }

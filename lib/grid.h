@@ -56,7 +56,7 @@ struct grid_place {
 
 /* Which record of a grid an error is about. */
 struct grid_culprit {
-    enum { GRID_BAD_WHOLE, GRID_BAD_VERTEX, GRID_BAD_TRIANGLE } kind;
+    enum { GRID_BAD_WHOLE, GRID_BAD_LATTICE, GRID_BAD_VERTEX, GRID_BAD_TRIANGLE } kind;
     uint32_t number;
 };
 
@@ -68,6 +68,9 @@ bool grid_build(struct grid *g, struct err *err) WARN_UNUSED;
 /* The same; on ERR_INPUT, *culprit says which record is to blame (the later one of two). */
 bool grid_build_blaming(struct grid *g, struct grid_culprit *culprit, struct err *err) WARN_UNUSED;
 void grid_free(struct grid *g);
+
+/* Axes from the two letters of a plane, e.g. "zy": different letters of xyz; the third is depth. */
+bool grid_axes(const char *letters, size_t length, int axes[3]) WARN_UNUSED;
 
 static inline int grid_patch_size(int degree) {
     return (degree + 1) * (degree + 2) / 2;

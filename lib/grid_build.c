@@ -47,10 +47,12 @@ static bool check_lattice(struct build *b) {
     double far = l->step * GRID_COORDINATE_MAX;
     bool ok = isfinite(l->step) && l->step > 0 && isfinite(l->x0) && isfinite(l->y0) &&
               isfinite(fabs(l->x0) + far) && isfinite(fabs(l->y0) + far);
-    return ok || err_set(b->err, ERR_INPUT,
-                         "the lattice (step %.17g, origin %.17g %.17g) is not "
-                         "finite with step > 0",
-                         l->step, l->x0, l->y0);
+    blame(b, GRID_BAD_LATTICE, 0);
+    if (ok) return true;
+    blame(b, GRID_BAD_LATTICE, 0);
+    return err_set(b->err, ERR_INPUT,
+                   "the lattice (step %.17g, origin %.17g %.17g) is not finite with step > 0",
+                   l->step, l->x0, l->y0);
 }
 
 static bool check_frame(struct build *b) {

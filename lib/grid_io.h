@@ -12,11 +12,14 @@ struct grid_file {
     char *history; /* the comment lines after the first record, each "# ...\n"; may be "" */
 };
 
-/* Reads path (NULL or "-": stdin). 100 MB/s or more. */
+/* Reads path (NULL or "-": stdin). 100 MB/s or more. Errors name line and column, also of a vertex
+ * or triangle that makes the grid unsound. */
 bool grid_read(struct grid_file *file, const char *path, struct err *err) WARN_UNUSED;
 void grid_file_free(struct grid_file *file);
 
-/* Writes the canonical form. `added` is a line for the history without "# " and newline, or NULL.
+/* Writes the canonical form: plane and lattice only where they are not the default. `added` is a
+ * line for the history without "# " and newline, or NULL. `digits` is for the control points;
+ * lattice and depth, which give the points their meaning, are always written exactly.
  * Reading and writing a canonical file gives the same bytes. */
 void grid_write(struct out *out, const struct grid_file *file, const char *added, int digits);
 

@@ -3,14 +3,18 @@
 
 #include "mem.h"
 
-bool spline_identity(struct spline *s, struct grid *g, struct err *err) {
+bool spline_allocate(struct spline *s, struct grid *g, struct err *err) {
     uint32_t n = g->point_count;
     *s = (struct spline){.grid = *g};
     *g = (struct grid){0};
-    if (!mem_new(s->phi, n, err) || (s->grid.has_depth && !mem_new(s->sigma, n, err))) {
-        spline_free(s);
-        return false;
-    }
+    if (mem_new(s->phi, n, err) && (!s->grid.has_depth || mem_new(s->sigma, n, err))) return true;
+    spline_free(s);
+    return false;
+}
+
+bool spline_identity(struct spline *s, struct grid *g, struct err *err) {
+    uint32_t n = g->point_count;
+    if (!spline_allocate(s, g, err)) return false;
     for (uint32_t p = 0; p < n; p++) grid_nominal(&s->grid, p, s->phi[p]);
     for (uint32_t p = 0; p < n && s->sigma; p++) {
         s->sigma[p][0] = s->grid.depth[0];

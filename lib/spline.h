@@ -20,6 +20,10 @@ struct spline {
         *sigma)[2]; /* with depth: coefficients of sigma0 (bottom) and sigma1 (top); else NULL */
 };
 
+/* Room for the control points on the built grid *g, whose ownership moves into the spline (also on
+ * failure); they are 0. */
+bool spline_allocate(struct spline *s, struct grid *g, struct err *err) WARN_UNUSED;
+
 /* The identity on the built grid *g, whose ownership moves into the spline (also on failure). */
 bool spline_identity(struct spline *s, struct grid *g, struct err *err) WARN_UNUSED;
 void spline_free(struct spline *s);
