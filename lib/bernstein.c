@@ -75,7 +75,7 @@ static void sum_triangle(int d, int n, const double *c, int lower, int shift, co
         nested(d, 4, c, lower, shift, b, sum);
         return;
     default:
-        INVARIANT(!"1 to 4 components");
+        INVARIANT(n >= 1 && n <= 4);
     }
 }
 

@@ -5,10 +5,12 @@
 #include "num.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <getopt.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { KEY_HELP = 'h', KEY_VERSION = 'V', OPTIONS_MAX = 40 };
 
@@ -17,7 +19,16 @@ static const struct cli_option common[] = {
     {KEY_VERSION, "version", NULL, "print the version and exit"},
 };
 
+/* A program started with stdin, stdout or stderr closed would get that number for the next file it
+ * opens. So each closed one becomes a descriptor on which reading or writing fails. */
+static void occupy_standard_streams(void) {
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0) (void)!open("/dev/null", fd ? O_RDONLY : O_WRONLY);
+}
+
 void cli_init(struct cli *cli, const struct cli_program *program, int argc, char **argv) {
+    occupy_standard_streams();
+    optind = 0; /* getopt starts anew, also for a second command line in one process */
     *cli = (struct cli){.program = program, .argc = argc, .argv = argv};
 }
 
@@ -84,10 +95,20 @@ static bool usage_error(const struct cli *cli, struct err *err, const char *what
     return err_set(err, ERR_USAGE, "%s '%s'; try %s --help", what, word, cli->program->name);
 }
 
+/* What getopt did not like: optopt is a letter, the number of a long option whose argument is
+ * missing or not wanted, or 0 for an unknown long option. */
+static bool bad_option(const struct cli *cli, int got, struct err *err) {
+    const char letter[] = {'-', (char)optopt, '\0'};
+    const char *what = got == ':'      ? "missing argument of"
+                       : optopt >= 256 ? "surplus argument of"
+                                       : "unknown option";
+    bool is_letter = optopt > 0 && optopt < 256;
+    return usage_error(cli, err, what, is_letter ? letter : cli->argv[optind - 1]);
+}
+
 int cli_next(struct cli *cli, struct err *err) {
     struct option longs[OPTIONS_MAX];
     char shorts[2 * OPTIONS_MAX];
-    const char *word = optind < cli->argc ? cli->argv[optind] : "";
     int got;
     opterr = 0;
     describe(cli->program, longs, shorts);
@@ -98,9 +119,7 @@ int cli_next(struct cli *cli, struct err *err) {
         return CLI_END;
     }
     if (got == '?' || got == ':') {
-        const char *bad = cli->argv[optind - 1];
-        if (strncmp(bad, "--", 2) != 0 && word[0] == '-' && word[1] != '-') bad = word;
-        usage_error(cli, err, got == ':' ? "missing argument of" : "unknown option", bad);
+        bad_option(cli, got, err);
         return CLI_STOP;
     }
     cli->option = find_option(cli->program, got);
@@ -194,12 +213,30 @@ static const char *base_name(const char *path) {
     return slash && slash[1] ? slash + 1 : path;
 }
 
+static char printable(char c) {
+    return (unsigned char)c < ' ' || c == 127 ? ' ' : c;
+}
+
 /* Appends one word of the command line, in quotes where a shell would need them. */
 static void append_word(FILE *to, const char *word) {
-    bool plain = *word && !strpbrk(word, " \t\n\r\"'\\#$&*();<>?[]`{|}~");
-    fputs(plain ? " " : " '", to);
-    for (; *word; word++) fputc((unsigned char)*word < ' ' ? ' ' : *word, to);
+    bool plain = *word && !strpbrk(word, " \t\n\r\"'\\!#$&*();<>?[]`{|}~");
     if (!plain) fputc('\'', to);
+    for (; *word; word++)
+        if (*word == '\'')
+            fputs("'\\''", to);
+        else
+            fputc(printable(*word), to);
+    if (!plain) fputc('\'', to);
+}
+
+/* " --name", " --name value" or, where the value may be left out, " --name=value". */
+static void append_option(FILE *to, const struct cli *cli) {
+    const struct cli_option *o = cli->option;
+    bool file = o->arg && strstr(o->arg, "FILE");
+    fprintf(to, " --%s", o->name);
+    if (!cli->value) return;
+    fputc(is_optional(o) ? '=' : ' ', to);
+    append_word(to, file ? base_name(cli->value) : cli->value);
 }
 
 char *cli_history(const struct cli *cli, struct err *err) {
@@ -215,16 +252,13 @@ char *cli_history(const struct cli *cli, struct err *err) {
     }
     fputs(cli->program->name, to);
     optind = 0; /* read the options once more; this also forgets getopt's place in a word */
-    while ((key = cli_next(&scan, &ignored)) >= 0) {
-        char name[64];
-        bool file = scan.option->arg && strstr(scan.option->arg, "FILE");
-        if (key == 'o') continue;
-        snprintf(name, sizeof name, "--%s", scan.option->name);
-        append_word(to, name);
-        if (scan.value) append_word(to, file ? base_name(scan.value) : scan.value);
-    }
+    while ((key = cli_next(&scan, &ignored)) >= 0)
+        if (key != 'o') append_option(to, &scan);
     for (int i = 0; i < scan.operand_count; i++)
-        if (strcmp(scan.operands[i], "-") != 0) append_word(to, base_name(scan.operands[i]));
+        if (strcmp(scan.operands[i], "-") != 0) {
+            fputc(' ', to);
+            append_word(to, base_name(scan.operands[i]));
+        }
     if (fclose(to) == 0) return text;
     free(text);
     err_memory(err);
@@ -240,18 +274,22 @@ void cli_note(const struct cli *cli, const char *format, ...) {
     fputc('\n', stderr);
 }
 
+/* One line, whatever the names of files and the values of options hold. */
 static void print_error(const struct cli *cli, const struct err *err) {
-    fprintf(stderr, "%s: ", cli->program->name);
-    if (err->file[0]) fprintf(stderr, "%s:", err->file);
-    if (err->line) fprintf(stderr, "%zu:", err->line);
-    if (err->col) fprintf(stderr, "%zu:", err->col);
-    fprintf(stderr, "%s%s\n", err->file[0] ? " " : "", err->message);
+    char text[sizeof err->file + sizeof err->message + 64];
+    int n = snprintf(text, sizeof text, "%s", err->file);
+    if (err->line) n += snprintf(text + n, sizeof text - (size_t)n, ":%zu", err->line);
+    if (err->col) n += snprintf(text + n, sizeof text - (size_t)n, ":%zu", err->col);
+    snprintf(text + n, sizeof text - (size_t)n, "%s%s", n ? ": " : "", err->message);
+    for (char *c = text; *c; c++) *c = printable(*c);
+    fprintf(stderr, "%s: %s\n", cli->program->name, text);
 }
 
 int cli_finish(const struct cli *cli, const struct err *err) {
     int status = (int)err->kind;
     if (err->kind) print_error(cli, err);
-    if (fflush(stdout) != 0) { /* only --help and --version use stdio; results go through out.h */
+    if (fflush(stdout) != 0 ||
+        ferror(stdout)) { /* only --help and --version use stdio; results go through out.h */
         fprintf(stderr, "%s: cannot write <stdout>: %s\n", cli->program->name, strerror(errno));
         if (status == 0) status = ERR_INPUT;
     }

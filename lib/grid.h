@@ -56,7 +56,7 @@ struct grid_place {
 
 /* Which record of a grid an error is about. */
 struct grid_culprit {
-    enum { GRID_BAD_WHOLE, GRID_BAD_LATTICE, GRID_BAD_VERTEX, GRID_BAD_TRIANGLE } kind;
+    enum grid_record { GRID_BAD_WHOLE, GRID_BAD_LATTICE, GRID_BAD_VERTEX, GRID_BAD_TRIANGLE } kind;
     uint32_t number;
 };
 

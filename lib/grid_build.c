@@ -25,7 +25,7 @@ struct build {
     struct err *err;
 };
 
-static void blame(struct build *b, int kind, uint32_t number) {
+static void blame(struct build *b, enum grid_record kind, uint32_t number) {
     b->culprit->kind = kind;
     b->culprit->number = number;
 }

@@ -47,7 +47,7 @@ bool out_open(struct out *out, const char *path, struct err *err) {
     if (!out->buf) return false;
     if (!path || strcmp(path, "-") == 0) return true;
     if (open_temporary(out, path, err)) return true;
-    out->temp = out->fd >= 0 ? out->temp : NULL;
+    if (out->temp) out->temp[0] = '\0'; /* nothing was created */
     out_discard(out);
     return false;
 }

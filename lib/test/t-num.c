@@ -85,8 +85,9 @@ static void test_reads_as_strtod(void **unused) {
         if (part) text[at++] = '.';
         for (int i = 0; i < part; i++) text[at++] = (char)('0' + random_bits(&state) % 10);
         if (!whole && !part) text[at++] = '0';
-        snprintf(text + at, sizeof text - (size_t)at, n % 3 ? "" : "%c%d", n % 2 ? 'e' : 'E',
-                 power);
+        text[at] = '\0';
+        if (n % 3 == 0)
+            snprintf(text + at, sizeof text - (size_t)at, "%c%d", n % 2 ? 'e' : 'E', power);
         want = strtod(text, NULL);
         if (isfinite(want))
             check_read(text, want);
