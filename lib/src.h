@@ -59,6 +59,12 @@ bool src_end_line(struct src *src);
 /* Records "expected WHAT, got NEXT WORD" at the next word. Always false. */
 bool src_expected(struct src *src, const char *what);
 
+/* The column of a pointer into the current line, from 1. */
+static inline uint32_t src_column(const struct src *src, const char *at) {
+    size_t column = (size_t)(at - src->begin) + 1;
+    return column < UINT32_MAX ? (uint32_t)column : UINT32_MAX;
+}
+
 /* Records any other error, at column `at` (a pointer into the line, or NULL: its beginning).
  * Always false. */
 bool src_fail(struct src *src, const char *at, const char *format, ...)

@@ -1,0 +1,429 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A block becomes one decles_edit a channel:
+ *
+ *     statements --resolve--> anchors, motions, wishes, slaves of phi, bottom, top
+ *                --check----> no point twice, no wish for an anchor
+ *                --tidy-----> slaves ascending, without anchors and pinned points
+ *                --apply----> channel by channel; undo what came before a refusal
+ *
+ * Nothing is changed before `apply`, so only there is something to take back: the anchors (their
+ * old positions are in `from`) and the derived points (copied from the report). */
+#include "script_run.h"
+
+#include "mem.h"
+#include "trig.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const char *const script_channel_names[] = {"phi", "bottom", "top"};
+
+/* Points that a block names as anchors or wishes, to find those named twice. */
+struct naming {
+    uint32_t point, col;
+    bool wish;
+    size_t line;
+};
+
+struct channel {
+    double *q; /* component c of point p: q[2*p + c], c < columns */
+    int columns;
+    size_t anchor_count, anchor_cap, from_cap;
+    struct decles_anchor *anchor;
+    double (*from)[2];
+    size_t motion_count, motion_cap;
+    struct decles_motion *motion;
+    size_t wish_count, wish_cap;
+    struct decles_wish *wish;
+    size_t naming_count, naming_cap;
+    struct naming *naming;
+    struct point_set slaves, anchored; /* anchored: the anchors, ascending */
+    struct point_set undo;             /* derived points of the last edit, and where they were */
+    double *undo_q;
+    size_t undo_cap;
+};
+
+struct run {
+    const struct script *script;
+    struct decles_editor *editor;
+    struct select_space space;
+    struct point_set points, near; /* of the statement being resolved */
+    struct channel channel[SCRIPT_CHANNELS];
+    bool has_depth;
+};
+
+/* ---- errors ---- */
+
+static bool place_at(const struct run *run, const struct script_statement *s, struct err *err) {
+    return err_place(err, run->script->name, s->line, s->col);
+}
+
+/* Says of a refused edit which statement, or that the block, and which channel it was. */
+static bool place_refusal(const struct run *run, const struct script_block *b,
+                          enum script_channel channel, struct err *err) {
+    const struct script_statement *s = &run->script->statement[b->first];
+    struct err inner = *err;
+    if (inner.kind == ERR_REFUSAL)
+        err_set(err, ERR_REFUSAL, "%s, %s: %s", b->grouped ? "block" : script_verb_names[s->verb],
+                script_channel_names[channel], inner.message);
+    return err_place(err, run->script->name, b->line, b->col);
+}
+
+/* ---- resolving ---- */
+
+static bool resolve_words(struct run *run, const struct script_statement *s,
+                          struct script_words words, struct point_set *set, struct err *err) {
+    for (size_t i = words.first; i < words.first + words.count; i++) {
+        const struct selector *word = &run->script->selector[i];
+        if (!select_points(&run->space, word, set, err))
+            return err_place(err, run->script->name, s->line, word->col);
+    }
+    point_set_sort(set);
+    return true;
+}
+
+/* The points near the anchors that may follow them: reach, within, with. */
+static bool resolve_slaves(struct run *run, const struct script_statement *s, struct err *err) {
+    struct point_set *near = &run->near;
+    near->count = 0;
+    return (!s->has_reach || select_reach(&run->space, &run->points, s->reach, near, err)) &&
+           (!s->has_within || select_within(&run->space, &run->points, s->within, near, err)) &&
+           resolve_words(run, s, s->with, near, err);
+}
+
+static struct decles_motion motion_of(const struct script_statement *s) {
+    struct decles_motion m = {.kind = DECLES_TRANSLATE};
+    memcpy(m.centre, s->about, sizeof m.centre);
+    if (s->verb == SCRIPT_ROTATE) {
+        m.kind = DECLES_ROTATE;
+        m.degrees = s->by[0];
+    } else if (s->verb == SCRIPT_SCALE) {
+        m.kind = DECLES_SCALE;
+        m.factor = s->by[0];
+    } else
+        for (int c = 0; c < 2; c++)
+            m.by[c] = s->target == SCRIPT_FROM_TO ? s->to[c] - s->from[c] : s->by[c];
+    return m;
+}
+
+/* A statement's motion, ready to be applied to many points. */
+struct mover {
+    struct decles_motion motion;
+    double cosine, sine;
+};
+
+static void move_point(const struct mover *mover, const double from[2], double to[2]) {
+    const struct decles_motion *m = &mover->motion;
+    double dx = from[0] - m->centre[0], dy = from[1] - m->centre[1];
+    switch (m->kind) {
+    case DECLES_TRANSLATE:
+        to[0] = from[0] + m->by[0];
+        to[1] = from[1] + m->by[1];
+        return;
+    case DECLES_ROTATE:
+        to[0] = m->centre[0] + (mover->cosine * dx - mover->sine * dy);
+        to[1] = m->centre[1] + (mover->sine * dx + mover->cosine * dy);
+        return;
+    case DECLES_SCALE:
+        to[0] = m->centre[0] + m->factor * dx;
+        to[1] = m->centre[1] + m->factor * dy;
+        return;
+    }
+}
+
+static void position(const struct channel *ch, uint32_t p, double at[2]) {
+    at[1] = 0;
+    for (int c = 0; c < ch->columns; c++) at[c] = ch->q[2 * (size_t)p + (size_t)c];
+}
+
+static bool add_naming(struct channel *ch, const struct script_statement *s, uint32_t p,
+                       struct err *err) {
+    if (!mem_grow(ch->naming, &ch->naming_cap, ch->naming_count + 1, err)) return false;
+    ch->naming[ch->naming_count++] = (struct naming){
+        .point = p, .wish = s->verb == SCRIPT_SUGGEST, .line = s->line, .col = s->col};
+    return true;
+}
+
+/* What holds for anchors and wishes alike: not pinned, and a place that is a number. */
+static bool check_target(const struct run *run, const struct script_statement *s, uint32_t p,
+                         const double to[2], struct err *err) {
+    const char *verb = script_verb_names[s->verb];
+    if (decles_is_pinned(run->editor, p))
+        err_set(err, ERR_REFUSAL, "%s: point %u is pinned", verb, p);
+    else if (!isfinite(to[0]) || !isfinite(to[1]))
+        err_set(err, ERR_REFUSAL, "%s: the new position of point %u is too large", verb, p);
+    else
+        return true;
+    return place_at(run, s, err);
+}
+
+/* Moves point p by the statement: as an anchor, or as a wish. */
+static bool add_target(struct run *run, struct channel *ch, const struct script_statement *s,
+                       const struct mover *mover, uint32_t p, struct err *err) {
+    double from[2], to[2];
+    position(ch, p, from);
+    move_point(mover, from, to);
+    if (!check_target(run, s, p, to, err) || !add_naming(ch, s, p, err)) return false;
+    if (s->target == SCRIPT_TO) memcpy(to, s->to, sizeof to); /* not rounded once more */
+    if (s->verb == SCRIPT_SUGGEST) {
+        if (!mem_grow(ch->wish, &ch->wish_cap, ch->wish_count + 1, err)) return false;
+        ch->wish[ch->wish_count++] = (struct decles_wish){.point = p, .to = {to[0], to[1]}};
+        return true;
+    }
+    if (!mem_grow(ch->anchor, &ch->anchor_cap, ch->anchor_count + 1, err) ||
+        !mem_grow(ch->from, &ch->from_cap, ch->anchor_count + 1, err))
+        return false;
+    memcpy(ch->from[ch->anchor_count], from, sizeof from);
+    ch->anchor[ch->anchor_count++] = (struct decles_anchor){
+        .point = p, .motion = (uint32_t)ch->motion_count, .to = {to[0], to[1]}};
+    return point_set_add(&ch->anchored, p, err);
+}
+
+/* `to` moves its one point by the difference, which is what its slaves are suggested. */
+static void set_difference(const struct run *run, const struct channel *ch,
+                           const struct script_statement *s, struct decles_motion *m) {
+    double from[2];
+    position(ch, run->points.point[0], from);
+    for (int c = 0; c < ch->columns; c++) m->by[c] = s->to[c] - from[c];
+}
+
+static bool resolve_channel(struct run *run, struct channel *ch, const struct script_statement *s,
+                            struct err *err) {
+    struct mover mover = {.motion = motion_of(s)};
+    if (s->verb == SCRIPT_ROTATE) trig_degrees(mover.motion.degrees, &mover.cosine, &mover.sine);
+    if (s->target == SCRIPT_TO) set_difference(run, ch, s, &mover.motion);
+    for (size_t i = 0; i < run->points.count; i++)
+        if (!add_target(run, ch, s, &mover, run->points.point[i], err)) return false;
+    for (size_t i = 0; i < run->near.count; i++)
+        if (!point_set_add(&ch->slaves, run->near.point[i], err)) return false;
+    if (!mem_grow(ch->motion, &ch->motion_cap, ch->motion_count + 1, err)) return false;
+    ch->motion[ch->motion_count++] = mover.motion;
+    return true;
+}
+
+static bool is_edited(const struct script_statement *s, enum script_channel channel) {
+    if (s->verb != SCRIPT_RAISE) return channel == SCRIPT_PHI;
+    return (channel == SCRIPT_BOTTOM && s->bottom) || (channel == SCRIPT_TOP && s->top);
+}
+
+static bool resolve(struct run *run, const struct script_statement *s, struct err *err) {
+    run->points.count = 0;
+    if (s->verb == SCRIPT_RAISE && !run->has_depth) {
+        err_set(err, ERR_INPUT, "raise: expected a grid with depth, got one without");
+        return place_at(run, s, err);
+    }
+    if (!resolve_words(run, s, s->points, &run->points, err)) return false;
+    if (s->target == SCRIPT_TO && run->points.count != 1) {
+        err_set(err, ERR_INPUT, "%s: expected one point with 'to', got %zu",
+                script_verb_names[s->verb], run->points.count);
+        return place_at(run, s, err);
+    }
+    if (!resolve_slaves(run, s, err)) return false;
+    for (int c = 0; c < SCRIPT_CHANNELS; c++)
+        if (is_edited(s, (enum script_channel)c) && !resolve_channel(run, &run->channel[c], s, err))
+            return false;
+    return true;
+}
+
+/* ---- checking and tidying ---- */
+
+static int compare_namings(const void *a, const void *b) {
+    const struct naming *m = a, *n = b;
+    if (m->point != n->point) return m->point < n->point ? -1 : 1;
+    return (m->line > n->line) - (m->line < n->line);
+}
+
+static bool check_namings(const struct run *run, struct channel *ch, struct err *err) {
+    qsort(ch->naming, ch->naming_count, sizeof *ch->naming, compare_namings);
+    for (size_t i = 1; i < ch->naming_count; i++) {
+        const struct naming *first = &ch->naming[i - 1], *again = &ch->naming[i];
+        if (first->point != again->point) continue;
+        return err_set_at(err, ERR_INPUT, run->script->name, again->line, again->col,
+                          "%s point %u, which is %s of line %zu in the same block",
+                          again->wish ? "suggest for" : "second anchor at", again->point,
+                          first->wish ? "suggested by the statement" : "an anchor", first->line);
+    }
+    return true;
+}
+
+static void tidy_slaves(const struct run *run, struct channel *ch) {
+    size_t kept = 0;
+    point_set_sort(&ch->anchored);
+    point_set_sort(&ch->slaves);
+    for (size_t i = 0; i < ch->slaves.count; i++) {
+        uint32_t p = ch->slaves.point[i];
+        if (!point_set_has(&ch->anchored, p) && !decles_is_pinned(run->editor, p))
+            ch->slaves.point[kept++] = p;
+    }
+    ch->slaves.count = kept;
+}
+
+static void clear_channel(struct channel *ch) {
+    ch->anchor_count = ch->motion_count = ch->wish_count = ch->naming_count = 0;
+    ch->slaves.count = ch->anchored.count = ch->undo.count = 0;
+}
+
+static bool prepare(struct run *run, const struct script_block *b, struct err *err) {
+    for (int c = 0; c < SCRIPT_CHANNELS; c++) clear_channel(&run->channel[c]);
+    for (size_t i = 0; i < b->count; i++)
+        if (!resolve(run, &run->script->statement[b->first + i], err)) return false;
+    for (int c = 0; c < SCRIPT_CHANNELS; c++) {
+        struct channel *ch = &run->channel[c];
+        if (b->count > 1 && !check_namings(run, ch, err)) return false;
+        if (ch->wish_count > 0 && ch->anchor_count == 0)
+            return err_set_at(err, ERR_INPUT, run->script->name, ch->naming[0].line,
+                              ch->naming[0].col,
+                              "suggest: expected a move, rotate or scale in the same block");
+        tidy_slaves(run, ch);
+    }
+    return true;
+}
+
+/* ---- applying ---- */
+
+static bool keep_for_undo(struct channel *ch, const struct decles_report *report, struct err *err) {
+    size_t k = (size_t)ch->columns;
+    if (!mem_grow(ch->undo.point, &ch->undo.cap, report->derived, err) ||
+        !mem_grow(ch->undo_q, &ch->undo_cap, k * report->derived, err))
+        return false;
+    for (size_t i = 0; i < report->derived; i++) ch->undo.point[i] = report->derived_point[i];
+    for (size_t i = 0; i < k * report->derived; i++) ch->undo_q[i] = report->before[i];
+    ch->undo.count = report->derived;
+    return true;
+}
+
+/* Puts the channel back to where it was, the derived points from `before`. */
+static void undo(struct run *run, struct channel *ch, const uint32_t *derived, size_t count,
+                 const double *before) {
+    size_t k = (size_t)ch->columns;
+    bool indexed = ch == &run->channel[SCRIPT_PHI];
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < k; c++) ch->q[2 * (size_t)derived[i] + c] = before[k * i + c];
+        if (indexed) select_moved(&run->space, derived[i]);
+    }
+    for (size_t i = 0; i < ch->anchor_count; i++) {
+        uint32_t p = ch->anchor[i].point;
+        for (size_t c = 0; c < k; c++) ch->q[2 * (size_t)p + c] = ch->from[i][c];
+        if (indexed) select_moved(&run->space, p);
+    }
+}
+
+/* The indices of current positions follow phi. */
+static void note_moves(struct run *run, const struct decles_report *report) {
+    const struct channel *ch = &run->channel[SCRIPT_PHI];
+    for (size_t i = 0; i < ch->anchor_count; i++) select_moved(&run->space, ch->anchor[i].point);
+    for (size_t i = 0; i < report->derived; i++)
+        select_moved(&run->space, report->derived_point[i]);
+}
+
+static bool apply_channel(struct run *run, const struct script_block *b, enum script_channel c,
+                          const struct script_observer *observer, struct err *err) {
+    struct channel *ch = &run->channel[c];
+    struct decles_report report = {0};
+    struct decles_edit edit = {ch->anchor_count, ch->slaves.count, ch->motion_count, ch->wish_count,
+                               ch->anchor,       ch->slaves.point, ch->motion,       ch->wish};
+    struct script_event event = {.script = run->script,
+                                 .block = b,
+                                 .channel = c,
+                                 .edit = &edit,
+                                 .from = (const double(*)[2])ch->from,
+                                 .report = &report};
+    if (ch->anchor_count == 0) return true;
+    if (!decles_apply(run->editor, ch->q, 2, ch->columns, &edit, &report, err))
+        return place_refusal(run, b, c, err);
+    if (c == SCRIPT_PHI) note_moves(run, &report);
+    if (!keep_for_undo(ch, &report, err)) {
+        undo(run, ch, report.derived_point, report.derived, report.before);
+        return false;
+    }
+    return !observer || observer->see(observer->context, &event, err);
+}
+
+static bool run_edit(struct run *run, const struct script_block *b,
+                     const struct script_observer *observer, struct err *err) {
+    if (!prepare(run, b, err)) return false;
+    for (int c = 0; c < SCRIPT_CHANNELS; c++) {
+        if (apply_channel(run, b, (enum script_channel)c, observer, err)) continue;
+        for (; c >= 0; c--) {
+            struct channel *ch = &run->channel[c];
+            undo(run, ch, ch->undo.point, ch->undo.count, ch->undo_q);
+        }
+        return false;
+    }
+    return true;
+}
+
+/* pin, unpin, weight */
+static bool run_setting(struct run *run, const struct script_block *b,
+                        const struct script_observer *observer, struct err *err) {
+    const struct script_statement *s = &run->script->statement[b->first];
+    struct script_event event = {.script = run->script, .block = b, .points = &run->points};
+    run->points.count = 0;
+    if (!resolve_words(run, s, s->points, &run->points, err)) return false;
+    for (size_t i = 0; i < run->points.count; i++) {
+        uint32_t p = run->points.point[i];
+        if (s->verb == SCRIPT_WEIGHT)
+            decles_weigh(run->editor, p, s->by[0]);
+        else
+            decles_pin(run->editor, p, s->verb == SCRIPT_PIN);
+    }
+    return !observer || observer->see(observer->context, &event, err);
+}
+
+static bool run_block(struct run *run, const struct script_block *b,
+                      const struct script_observer *observer, struct err *err) {
+    enum script_verb verb = run->script->statement[b->first].verb;
+    INVARIANT(b->count > 0);
+    if (script_moves(verb) || verb == SCRIPT_SUGGEST) return run_edit(run, b, observer, err);
+    return run_setting(run, b, observer, err);
+}
+
+/* ---- the whole ---- */
+
+static void open_channels(struct run *run, struct spline *spline) {
+    run->channel[SCRIPT_PHI].q = &spline->phi[0][0];
+    run->channel[SCRIPT_PHI].columns = 2;
+    run->has_depth = spline->grid.has_depth;
+    for (int c = SCRIPT_BOTTOM; c <= SCRIPT_TOP; c++) {
+        run->channel[c].q = run->has_depth ? &spline->sigma[0][c - SCRIPT_BOTTOM] : NULL;
+        run->channel[c].columns = 1;
+    }
+}
+
+static void free_channel(struct channel *ch) {
+    free(ch->anchor);
+    free(ch->from);
+    free(ch->motion);
+    free(ch->wish);
+    free(ch->naming);
+    free(ch->slaves.point);
+    free(ch->anchored.point);
+    free(ch->undo.point);
+    free(ch->undo_q);
+}
+
+static void close_run(struct run *run) {
+    for (int c = 0; c < SCRIPT_CHANNELS; c++) free_channel(&run->channel[c]);
+    free(run->points.point);
+    free(run->near.point);
+    select_free(&run->space);
+    if (run->editor) decles_free(run->editor);
+}
+
+bool script_run(const struct script *script, struct spline *spline,
+                const struct decles_options *options, const struct script_observer *observer,
+                struct err *err) {
+    struct run run = {.script = script};
+    bool ok = true;
+    if (script->block_count == 0) return true;
+    run.editor = decles_new(&spline->grid, options, err);
+    if (!run.editor)
+        return err_place(err, script->name, script->block[0].line, script->block[0].col);
+    open_channels(&run, spline);
+    select_init(&run.space, &spline->grid, (const double(*)[2])spline->phi);
+    for (size_t i = 0; ok && i < script->block_count; i++)
+        ok = run_block(&run, &script->block[i], observer, err);
+    close_run(&run);
+    return ok;
+}
