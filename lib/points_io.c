@@ -157,7 +157,10 @@ bool points_parse_word(struct script *script, const char *word, struct err *err)
                                        : src_expected(&src, "POINTS");
     ok = ok && src_end_line(&src);
     if (!ok) *err = src.err;
-    if (!ok && strcmp(err->file, src.name) == 0) err->file[0] = '\0';
+    if (!ok && strcmp(err->file, src.name) == 0) {
+        err->file[0] = '\0';
+        err->line = err->col = 0;
+    }
     src_close(&src);
     return ok;
 }
