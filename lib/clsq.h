@@ -23,6 +23,7 @@ struct clsq_problem {
     const double *weight;       /* n, > 0 */
     const double *target;       /* n x k, row-major */
     const double *fixed;        /* p x k, row-major: the f above */
+    bool use_qr;                /* QR at once; the same bits, slower: for tests */
 };
 
 struct clsq_report {
