@@ -35,6 +35,24 @@ bool deform_point(struct deform *d, const double point[3], double result[3],
     return true;
 }
 
+bool deform_points(struct deform *d, size_t n, double (*points)[3], double (*results)[3],
+                   size_t *outside, size_t *first) {
+    *outside = 0;
+    for (size_t i = 0; i < n; i++) {
+        double image[3];
+        if (!deform_point(d, points[i], image, NULL)) {
+            if ((*outside)++ == 0) *first = i;
+            memcpy(image, points[i], sizeof image);
+        }
+        if (!isfinite(image[0]) || !isfinite(image[1]) || !isfinite(image[2])) {
+            *first = i;
+            return false;
+        }
+        memcpy(results[i], image, sizeof image);
+    }
+    return true;
+}
+
 static void cross(const double a[3], const double b[3], double c[3]) {
     c[0] = a[1] * b[2] - a[2] * b[1];
     c[1] = a[2] * b[0] - a[0] * b[2];

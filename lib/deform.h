@@ -23,8 +23,13 @@ void deform_free(struct deform *d);
 /* The image of a point and, unless NULL, the derivative there, jacobian[r][c] = d result_r / d
  * point_c. False: the point lies outside; nothing is set. The result may overflow to infinity. Fast
  * for points that lie near the one before; the answer does not depend on it. */
-bool deform_point(struct deform *d, const double point[3], double result[3],
-                  double jacobian[3][3]);
+bool deform_point(struct deform *d, const double point[3], double result[3], double jacobian[3][3]);
+
+/* The images of n points; those outside stay where they are and are counted in *outside, *first is
+ * the first of them. False: the image of point *first is not finite. points and results may be the
+ * same array. */
+bool deform_points(struct deform *d, size_t n, double (*points)[3], double (*results)[3],
+                   size_t *outside, size_t *first);
 
 /* The image of a surface normal: the inverse transpose of the Jacobian times the normal, with the
  * normal's own length. It stays on the side of the surface that it was on, also where the map

@@ -160,6 +160,12 @@ bool obj_corner(struct obj_scan *s, struct obj_corner *c) {
     return true;
 }
 
+bool obj_to_corners(struct obj_scan *s, enum obj_kind kind) {
+    const char *begin, *end;
+    for (int i = 0; i < 4 && kind == OBJ_SURFACE; i++) (void)obj_word(s, &begin, &end);
+    return kind == OBJ_FACE || kind == OBJ_SURFACE;
+}
+
 bool obj_resolve(struct obj_scan *s, const struct obj_corner *corner, const char *what,
                  int64_t number_, size_t count, size_t *index) {
     if (number_ > 0) {
@@ -189,6 +195,10 @@ static struct src line_around(const struct obj_scan *s, const char *at) {
     hash = memchr(at, '#', (size_t)(src.end - at));
     if (hash) src.end = hash;
     return src;
+}
+
+size_t obj_line_number(const struct obj_scan *s, const char *at) {
+    return line_around(s, at).line;
 }
 
 bool obj_expected(struct obj_scan *s, const char *at, const char *what) {

@@ -59,6 +59,9 @@ bool obj_end_line(struct obj_scan *s);
  * against any count, but none is 0. */
 bool obj_corner(struct obj_scan *s, struct obj_corner *corner);
 
+/* Goes to the corners of a statement of this kind that may have normals; false if it has none. */
+bool obj_to_corners(struct obj_scan *s, enum obj_kind kind);
+
 /* The next word of the statement without its comment, [*begin, *end); false if there is none. */
 bool obj_word(struct obj_scan *s, const char **begin, const char **end);
 
@@ -66,6 +69,9 @@ bool obj_word(struct obj_scan *s, const char **begin, const char **end);
  * checked, positive ones may lie ahead. `what` is "vertex" or "normal". */
 bool obj_resolve(struct obj_scan *s, const struct obj_corner *corner, const char *what,
                  int64_t number, size_t count, size_t *index);
+
+/* The line, from 1, of a place in the text. O(text). */
+size_t obj_line_number(const struct obj_scan *s, const char *at);
 
 /* Record an error at a place in the text. Always false. */
 bool obj_expected(struct obj_scan *s, const char *at, const char *what);
