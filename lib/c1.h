@@ -4,8 +4,7 @@
  * For an inner edge {a,b}, a < b, with opposite vertices u0 (in the lower triangle u) and v0 (in
  * v), and m = k = 0..d-1 from a to b, j = d-1-m:
  *
- *     q^v_1jk = B0 q^u_1jk + B1 q_0,j+1,k + B2 q_0,j,k+1                                 [14]
- * (4)(6)
+ *     q^v_1jk = B0 q^u_1jk + B1 q_0,j+1,k + B2 q_0,j,k+1                          [14] (4)(6)
  *
  * multiplied by twice the area of u: integer coefficients. Condition m of edge e has the number e*d
  * + m (numbers of boundary edges mean nothing).
@@ -34,10 +33,13 @@ enum point_type { /* [14] table 1 */
  */
 extern const char *const c1_type_names[];
 
+/* O(1). The name follows the larger of the point's two or three weights: in degree 2 an edge's only
+ * point is an edge corner, in degree 3 a triangle's only inner point an inner corner. */
 enum point_type c1_type(const struct grid *g, uint32_t p);
 
 /* sum over i of coefficient[i] * q[point[i]] = 0. point[0] and [1] are the extremes, in v and in u;
- * [2] and [3] lie on the edge, nearer to a and to b. Coefficients that are 0 are kept. */
+ * [2] and [3] lie on the edge, nearer to a and to b. The extremes' coefficients are never 0; others
+ * that are 0 are kept. All are below 2^53, and their sum is 0. */
 struct c1_condition {
     uint32_t point[4];
     int64_t coefficient[4];
@@ -46,20 +48,39 @@ struct c1_condition {
 /* Condition m of the inner edge e. O(1). */
 struct c1_condition c1_condition(const struct grid *g, uint32_t e, int m);
 
-/* Calls visit for every condition that contains point p with a non-zero coefficient, in the order
- * of their numbers. O(degree of the vertex) for corners, else O(1). */
+/* Calls visit for every condition that contains point p with a non-zero coefficient, once each, in
+ * an order that depends on the grid alone. O(degree of the vertex) for corners, else O(1). */
 void c1_conditions_of(const struct grid *g, uint32_t p,
                       void (*visit)(void *context, uint32_t e, int m), void *context);
+
+/* What a condition comes to for a component q[stride * p]. */
+struct c1_value {
+    double sum;   /* of a q, in double-double, rounded once */
+    double terms; /* sum of |a q| */
+};
+struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride);
+
+/* A condition counts as true when |sum| is within 64 u of its terms, u = 2^-53: a solution that is
+ * rounded once leaves 1 u where the condition was solved for, and some u where it follows from
+ * others. Smaller than any double can tell (subnormal q) is true as well; nan is not. */
+bool c1_holds(struct c1_value value);
+
+/* |sum| / terms; 0/0 = 0. */
+double c1_relative(struct c1_value value);
 
 /* Number of inner vertices, and of those that are singular: all their edges on exactly two lines.
  */
 void c1_vertices(const struct grid *g, uint32_t *inner, uint32_t *singular);
 
-/* The rank of all conditions: d*E_I - 2*V_I - s for d >= 5 (decles.md; [LS]). */
+/* The rank of all conditions: d*E_I - 2*V_I - s for d >= 5 (decles.md; [LS]). It is a sum over
+ * vertices and edges, since for d >= 5 rings 1 and 2 of different vertices share no point and each
+ * middle condition has extremes of its own: so holes, components and even triangles that overlap do
+ * not matter. */
 size_t c1_rank_formula(const struct grid *g);
 
-/* Largest |sum a q| and largest |sum a q| / sum |a q| (0/0 = 0) over all conditions for a component
- * q[stride * p]; *edge is where the relative one is attained. */
+/* Over all conditions, for a component q[stride * p]: the largest |sum a q| / max |a|, in the unit
+ * of q; the largest |sum a q| / sum |a q| (0/0 = 0); *edge is where that is attained (the lowest
+ * such), GRID_NONE without inner edges. nan counts as larger than any number. */
 void c1_residual(const struct grid *g, const double *q, size_t stride, double *absolute,
                  double *relative, uint32_t *edge);
 
