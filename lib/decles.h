@@ -43,8 +43,10 @@ struct decles_edit {
 struct decles_report {
     size_t anchors, slaves, derived, conditions; /* |A| |S| |D| |E| */
     size_t rank, redundant, added;               /* of A_D; rows dropped; points added by step 3 */
-    double residual;           /* largest of E afterwards, relative to its terms */
-    double displacement, gain; /* largest of D; the same over largest of A */
+    double residual;     /* largest of E afterwards, relative to its terms */
+    double displacement; /* largest of D */
+    double gain;         /* the same over the largest displacement asked for: of anchors to their
+                            new positions, of D to p' */
     bool by_qr;
     const uint32_t *derived_point; /* D */
     const double *suggested;       /* p' of each, k columns */
@@ -56,7 +58,7 @@ struct decles_editor; /* working memory of O(points), allocated once for many ed
 
 struct decles_options {
     int continuity;  /* 1, or 0: no conditions, D = S */
-    double max_gain; /* e.g. 100 */
+    double max_gain; /* e.g. 100: refused beyond; what rounding of E (64 u) may move is allowed */
 };
 
 /* The grid is borrowed. Refused if degree < 5 with continuity 1. */
@@ -75,8 +77,8 @@ bool decles_apply(struct decles_editor *editor, double *q, size_t stride, int k,
                   const struct decles_edit *edit, struct decles_report *report,
                   struct err *err) WARN_UNUSED;
 
-/* Projects k components onto the C1 splines, nearest in (unweighted) least squares; pinned points
- * may move as well. */
+/* Projects k components onto the C1 splines, nearest in (unweighted) least squares. A spline that
+ * is C1 already (all conditions within 64 u of their terms) is left as it is. Any degree. */
 bool decles_repair(const struct grid *g, double *q, size_t stride, int k,
                    struct err *err) WARN_UNUSED;
 

@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The steps of one edit, in order:
+ *
+ *   1 2  sets A, S, D, E        decles_sets.c
+ *   0    E holds                decles_rank.c
+ *   3    D grows, or conflict       "
+ *   4    redundant conditions       "
+ *   5    suggested positions    decles_suggest.c
+ *   6    least squares          decles_solve.c
+ *   7    update                 here
+ *
+ * Step 7 writes A and D, then judges what it wrote: gain, and every condition of E within the very
+ * tolerance of step 0. Conditions outside E have none of their points changed, so a spline that
+ * passes step 0 everywhere does so after any number of edits. What fails is taken back bit by bit.
+ */
+#include "decles.h"
+
+#include "decles_rank.h"
+#include "decles_sets.h"
+#include "decles_solve.h"
+#include "decles_suggest.h"
+#include "mem.h"
+
+#include <math.h>
+#include <string.h>
+
+struct decles_editor {
+    struct decles_sets sets;
+    struct decles_suggester suggester;
+    double *weight; /* of each point; 0 stands for 1 */
+    double max_gain;
+    /* lists, k columns each (but weights) */
+    double *suggested, *before, *solution, *anchor_before, *weights;
+    size_t cap_suggested, cap_before, cap_solution, cap_anchor_before, cap_weights;
+};
+
+struct decles_editor *decles_new(const struct grid *g, const struct decles_options *options,
+                                 struct err *err) {
+    struct decles_editor *e;
+    bool smooth = options->continuity == 1;
+    if (smooth && g->degree < 5) {
+        err_set(err, ERR_REFUSAL,
+                "editing with continuity 1 needs degree 5 or more, the grid has %d", g->degree);
+        return NULL;
+    }
+    if (!mem_new(e, 1, err)) return NULL;
+    e->max_gain = options->max_gain;
+    if (!decles_sets_init(&e->sets, g, smooth, err) ||
+        !decles_suggester_init(&e->suggester, g, err) || !mem_new(e->weight, g->point_count, err)) {
+        decles_free(e);
+        return NULL;
+    }
+    return e;
+}
+
+void decles_free(struct decles_editor *e) {
+    if (!e) return;
+    decles_sets_free(&e->sets);
+    decles_suggester_free(&e->suggester);
+    free(e->weight);
+    free(e->suggested);
+    free(e->before);
+    free(e->solution);
+    free(e->anchor_before);
+    free(e->weights);
+    free(e);
+}
+
+void decles_pin(struct decles_editor *e, uint32_t p, bool pinned) {
+    INVARIANT(p < e->sets.grid->point_count);
+    e->sets.pinned[p] = pinned;
+}
+
+bool decles_is_pinned(const struct decles_editor *e, uint32_t p) {
+    INVARIANT(p < e->sets.grid->point_count);
+    return e->sets.pinned[p];
+}
+
+void decles_weigh(struct decles_editor *e, uint32_t p, double weight) {
+    INVARIANT(p < e->sets.grid->point_count && weight > 0);
+    e->weight[p] = weight;
+}
+
+/* Makes room for D and A, and collects the weights of D. */
+static bool make_room(struct decles_editor *e, size_t k, struct err *err) {
+    size_t n = e->sets.derived_count;
+    if (!mem_grow(e->suggested, &e->cap_suggested, n * k, err) ||
+        !mem_grow(e->before, &e->cap_before, n * k, err) ||
+        !mem_grow(e->solution, &e->cap_solution, n * k, err) ||
+        !mem_grow(e->weights, &e->cap_weights, n, err) ||
+        !mem_grow(e->anchor_before, &e->cap_anchor_before, e->sets.anchor_count * k, err))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        double w = e->weight[e->sets.derived[i]];
+        e->weights[i] = w == 0 ? 1 : w;
+    }
+    return true;
+}
+
+/* Steps 0 to 6: fills the suggestions and the solution. */
+static bool solve(struct decles_editor *e, const struct decles_values *values,
+                  const struct decles_edit *edit, struct decles_report *report, struct err *err) {
+    struct exact_rows rows = {0};
+    struct clsq_report solved = {0};
+    struct decles_targets targets = {.k = values->k};
+    double *fixed = NULL;
+    bool ok = decles_sets_begin(&e->sets, edit, err) &&
+              decles_close(&e->sets, edit, values, &rows, &report->added, err) &&
+              make_room(e, (size_t)values->k, err) &&
+              decles_suggest(&e->suggester, &e->sets, edit, values, e->suggested, err) &&
+              decles_fixed_values(&e->sets, edit, values, &fixed, err);
+    if (ok) {
+        targets.suggested = e->suggested;
+        targets.weight = e->weights;
+        targets.fixed = fixed;
+        ok = decles_solve(&e->sets, &rows, &targets, e->solution, &solved, err);
+    }
+    report->rank = rows.rank;
+    report->redundant = rows.relation_count;
+    report->by_qr = solved.by_qr;
+    exact_rows_free(&rows);
+    free(fixed);
+    return ok;
+}
+
+/* Copies the points listed between q and a list of k columns. */
+static void gather(const struct decles_values *v, const uint32_t *point, size_t n, double *list) {
+    size_t k = (size_t)v->k;
+    for (size_t i = 0; i < n; i++)
+        memcpy(list + i * k, v->q + v->stride * point[i], k * sizeof *list);
+}
+
+static void scatter(const struct decles_values *v, const uint32_t *point, size_t n,
+                    const double *list) {
+    size_t k = (size_t)v->k;
+    for (size_t i = 0; i < n; i++)
+        memcpy(v->q + v->stride * point[i], list + i * k, k * sizeof *list);
+}
+
+/* Step 7, keeping what was there. */
+static void update(struct decles_editor *e, const struct decles_values *v,
+                   const struct decles_edit *edit) {
+    const struct decles_sets *s = &e->sets;
+    gather(v, s->anchor, s->anchor_count, e->anchor_before);
+    gather(v, s->derived, s->derived_count, e->before);
+    for (size_t i = 0; i < edit->anchor_count; i++)
+        memcpy(v->q + v->stride * edit->anchor[i].point, edit->anchor[i].to,
+               (size_t)v->k * sizeof *v->q);
+    scatter(v, s->derived, s->derived_count, e->solution);
+}
+
+static void take_back(struct decles_editor *e, const struct decles_values *v) {
+    scatter(v, e->sets.anchor, e->sets.anchor_count, e->anchor_before);
+    scatter(v, e->sets.derived, e->sets.derived_count, e->before);
+}
+
+static double distance(const double *a, const double *b, int k) {
+    double dx = a[0] - b[0], dy = k > 1 ? a[1] - b[1] : 0;
+    return k > 1 ? sqrt(dx * dx + dy * dy) : fabs(dx);
+}
+
+static double magnitude(const double *a, int k) {
+    return k > 1 ? fmax(fabs(a[0]), fabs(a[1])) : fabs(a[0]);
+}
+
+/* The largest displacement of D against the largest one asked for. Rounding lets E be off by 64 u
+ * of its terms before the edit, and that is made good too: it counts as asked for. */
+static bool check_gain(const struct decles_editor *e, const struct decles_edit *edit, int k,
+                       struct decles_report *report, struct err *err) {
+    const struct decles_sets *s = &e->sets;
+    double asked = 0, largest = 0;
+    uint32_t point = GRID_NONE;
+    for (size_t i = 0; i < s->anchor_count; i++) {
+        const double *before = e->anchor_before + i * (size_t)k;
+        asked = fmax(asked, distance(edit->anchor[i].to, before, k));
+        largest = fmax(largest, magnitude(before, k));
+    }
+    report->displacement = 0;
+    for (size_t i = 0; i < s->derived_count; i++) {
+        size_t at = i * (size_t)k;
+        double moved = distance(e->solution + at, e->before + at, k);
+        asked = fmax(asked, distance(e->suggested + at, e->before + at, k));
+        largest = fmax(largest, magnitude(e->before + at, k));
+        if (!isfinite(moved))
+            return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers",
+                           s->derived[i]);
+        if (moved <= report->displacement) continue;
+        report->displacement = moved;
+        point = s->derived[i];
+    }
+    asked += 64 * 0x1p-53 * largest;
+    report->gain = report->displacement == 0 ? 0 : report->displacement / asked;
+    if (report->gain <= e->max_gain) return true;
+    return err_set(
+        err, ERR_REFUSAL,
+        "point %u would move %.3g times as far as what was asked for (the limit is %.3g)", point,
+        report->gain, e->max_gain);
+}
+
+/* Measures E after the update; it must hold as step 0 understands it. */
+static bool check_result(const struct decles_sets *s, const struct decles_values *v,
+                         struct decles_report *report, struct err *err) {
+    report->residual = 0;
+    for (size_t r = 0; r < s->condition_count; r++)
+        for (int c = 0; c < v->k; c++) {
+            struct c1_value value = c1_evaluate(&s->row[r], v->q + c, v->stride);
+            uint64_t edge = s->condition[r] / (uint64_t)s->grid->degree;
+            report->residual = fmax(report->residual, c1_relative(value));
+            if (c1_holds(value)) continue;
+            return err_set(err, ERR_REFUSAL,
+                           "the C1 conditions across the edge %u-%u cannot be kept in double "
+                           "precision: off by %.2g of their terms",
+                           s->grid->edge[edge][0], s->grid->edge[edge][1], c1_relative(value));
+        }
+    return true;
+}
+
+static void fill_report(const struct decles_editor *e, struct decles_report *report) {
+    const struct decles_sets *s = &e->sets;
+    report->anchors = s->anchor_count;
+    report->slaves = s->slave_count;
+    report->derived = s->derived_count;
+    report->conditions = s->condition_count;
+    report->derived_point = s->derived;
+    report->suggested = e->suggested;
+    report->before = e->before;
+    report->condition = s->condition;
+}
+
+bool decles_apply(struct decles_editor *e, double *q, size_t stride, int k,
+                  const struct decles_edit *edit, struct decles_report *report, struct err *err) {
+    struct decles_values values = {q, stride, k};
+    bool ok;
+    INVARIANT(k == 1 || k == 2);
+    memset(report, 0, sizeof *report);
+    ok = solve(e, &values, edit, report, err);
+    if (ok) {
+        update(e, &values, edit);
+        ok = check_gain(e, edit, k, report, err) && check_result(&e->sets, &values, report, err);
+        if (!ok) take_back(e, &values);
+    }
+    fill_report(e, report);
+    decles_sets_clear(&e->sets);
+    return ok;
+}

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Two breadth-first searches give the distances. `far` begins at the points of A and D that have a
+ * neighbour outside (distance 1) and never leaves A and D: a shortest way out has all its other
+ * points inside. `near` begins at the anchors, may pass anywhere, and ends when all of D is
+ * reached.
+ *
+ * The nearest anchors of a point are those of its neighbours that are one step nearer, united. They
+ * matter only if the anchors have different motions, and are kept as sorted lists. */
+#include "decles_suggest.h"
+
+#include "mem.h"
+#include "net.h"
+#include "trig.h"
+
+#include <string.h>
+
+enum { TURNS = 4096 }; /* room of the cache; a power of two */
+
+struct decles_visit {
+    uint32_t point, distance;
+    size_t first, count; /* its nearest anchors in decles_suggester.nearest */
+};
+
+/* theta of a rotation or scaling as a matrix ((c, -s), (s, c)): some microseconds to find, and the
+ * same for many points. A cache entry depends on its keys alone, so it outlives the edit. */
+struct decles_turn {
+    double parameter, theta; /* degrees or factor; theta = 0: empty */
+    enum decles_kind kind;
+    double c, s;
+};
+
+bool decles_suggester_init(struct decles_suggester *s, const struct grid *g, struct err *err) {
+    memset(s, 0, sizeof *s);
+    return mem_new(s->near.mark, g->point_count, err) &&
+           mem_new(s->far.mark, g->point_count, err) && mem_new(s->turn, TURNS, err);
+}
+
+void decles_suggester_free(struct decles_suggester *s) {
+    free(s->near.mark);
+    free(s->near.visit);
+    free(s->far.mark);
+    free(s->far.visit);
+    free(s->nearest);
+    free(s->turn);
+}
+
+static void search_clear(struct decles_search *s) {
+    for (; s->count > 0; s->count--) s->mark[s->visit[s->count - 1].point] = 0;
+}
+
+static bool search_push(struct decles_search *s, uint32_t p, uint32_t distance, struct err *err) {
+    if (s->mark[p] != 0) return true;
+    if (!mem_grow(s->visit, &s->cap, s->count + 1, err)) return false;
+    s->visit[s->count++] = (struct decles_visit){p, distance, 0, 0};
+    s->mark[p] = (uint32_t)s->count;
+    return true;
+}
+
+/* Pushes the neighbours of the i-th visit; if `inside`, only those in A and D. */
+static bool search_expand(struct decles_search *s, const struct decles_sets *sets, size_t i,
+                          bool inside, struct err *err) {
+    struct decles_visit from = s->visit[i];
+    uint32_t single, n, neighbour[6];
+    const uint32_t *triangle = grid_triangles_of(sets->grid, from.point, &single, &n);
+    for (uint32_t t = 0; t < n; t++) {
+        int count = net_neighbours(sets->grid, from.point, triangle[t], neighbour);
+        for (int j = 0; j < count; j++) {
+            if (inside && sets->role[neighbour[j]] == ROLE_NONE) continue;
+            if (!search_push(s, neighbour[j], from.distance + 1, err)) return false;
+        }
+    }
+    return true;
+}
+
+/* True if p has a neighbour outside A and D. */
+static bool is_border(const struct decles_sets *sets, uint32_t p) {
+    uint32_t single, n, neighbour[6];
+    const uint32_t *triangle = grid_triangles_of(sets->grid, p, &single, &n);
+    for (uint32_t t = 0; t < n; t++) {
+        int count = net_neighbours(sets->grid, p, triangle[t], neighbour);
+        for (int j = 0; j < count; j++)
+            if (sets->role[neighbour[j]] == ROLE_NONE) return true;
+    }
+    return false;
+}
+
+static bool search_far(struct decles_search *far, const struct decles_sets *sets, struct err *err) {
+    for (size_t i = 0; i < sets->anchor_count; i++)
+        if (is_border(sets, sets->anchor[i]) && !search_push(far, sets->anchor[i], 1, err))
+            return false;
+    for (size_t i = 0; i < sets->derived_count; i++)
+        if (is_border(sets, sets->derived[i]) && !search_push(far, sets->derived[i], 1, err))
+            return false;
+    for (size_t i = 0; i < far->count; i++)
+        if (!search_expand(far, sets, i, true, err)) return false;
+    return true;
+}
+
+/* Appends the nearest anchors of `of`, a neighbour one step nearer than the i-th visit. */
+static bool copy_nearest(struct decles_suggester *s, size_t i, uint32_t of, struct err *err) {
+    const struct decles_visit *from;
+    if (s->near.mark[of] == 0) return true;
+    from = &s->near.visit[s->near.mark[of] - 1];
+    if (from->distance + 1 != s->near.visit[i].distance) return true;
+    if (!mem_grow(s->nearest, &s->nearest_cap, s->nearest_count + from->count, err)) return false;
+    memcpy(s->nearest + s->nearest_count, s->nearest + from->first,
+           from->count * sizeof *s->nearest);
+    s->nearest_count += from->count;
+    return true;
+}
+
+static int compare_indices(const void *a, const void *b) {
+    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* The nearest anchors of the i-th visit; all visits before it have theirs. */
+static bool find_nearest(struct decles_suggester *s, const struct decles_sets *sets, size_t i,
+                         struct err *err) {
+    uint32_t p = s->near.visit[i].point, single, n, neighbour[6], *list;
+    const uint32_t *triangle = grid_triangles_of(sets->grid, p, &single, &n);
+    size_t first = s->nearest_count, count = 0;
+    for (uint32_t t = 0; t < n; t++) {
+        int neighbours = net_neighbours(sets->grid, p, triangle[t], neighbour);
+        for (int j = 0; j < neighbours; j++)
+            if (!copy_nearest(s, i, neighbour[j], err)) return false;
+    }
+    list = s->nearest + first;
+    qsort(list, s->nearest_count - first, sizeof *list, compare_indices);
+    for (size_t j = 0; j < s->nearest_count - first; j++)
+        if (count == 0 || list[j] != list[count - 1]) list[count++] = list[j];
+    s->nearest_count = first + count;
+    s->near.visit[i].first = first;
+    s->near.visit[i].count = count;
+    return true;
+}
+
+/* The anchors are the first visits, in their order; each is its own nearest one. */
+static bool begin_near(struct decles_suggester *s, const struct decles_sets *sets,
+                       struct err *err) {
+    size_t n = sets->anchor_count;
+    if (!mem_grow(s->nearest, &s->nearest_cap, n, err)) return false;
+    for (size_t i = 0; i < n; i++) {
+        if (!search_push(&s->near, sets->anchor[i], 0, err)) return false;
+        s->near.visit[i].first = i;
+        s->near.visit[i].count = 1;
+        s->nearest[i] = (uint32_t)i;
+    }
+    s->nearest_count = n;
+    return true;
+}
+
+static bool search_near(struct decles_suggester *s, const struct decles_sets *sets,
+                        bool several_motions, struct err *err) {
+    size_t reached = 0, before;
+    if (!begin_near(s, sets, err)) return false;
+    for (size_t i = 0; i < s->near.count; i++) {
+        if (several_motions && i >= sets->anchor_count && !find_nearest(s, sets, i, err))
+            return false;
+        if (reached == sets->derived_count) continue;
+        before = s->near.count;
+        if (!search_expand(&s->near, sets, i, false, err)) return false;
+        for (size_t j = before; j < s->near.count; j++)
+            reached += sets->role[s->near.visit[j].point] == ROLE_DERIVED;
+    }
+    return true;
+}
+
+static struct decles_turn make_turn(const struct decles_motion *motion, double theta) {
+    struct decles_turn turn = {motion->degrees, theta, motion->kind, 0, 0};
+    if (motion->kind == DECLES_ROTATE) {
+        trig_degrees(theta * motion->degrees, &turn.c, &turn.s);
+    } else {
+        turn.parameter = motion->factor;
+        turn.c = trig_pow(motion->factor, theta);
+    }
+    return turn;
+}
+
+static struct decles_turn find_turn(struct decles_turn *cache, const struct decles_motion *motion,
+                                    double theta) {
+    double parameter = motion->kind == DECLES_ROTATE ? motion->degrees : motion->factor;
+    uint64_t bits;
+    struct decles_turn *entry;
+    memcpy(&bits, &theta, sizeof bits);
+    entry = &cache[(bits * 0x9e3779b97f4a7c15u) >> 52];
+    if (entry->theta != theta || entry->parameter != parameter || entry->kind != motion->kind)
+        *entry = make_turn(motion, theta);
+    return *entry;
+}
+
+/* Where a motion takes the point at q, k components, by the share theta > 0. */
+static void move(struct decles_turn *cache, const struct decles_motion *motion, double theta,
+                 const double *q, int k, double to[2]) {
+    if (motion->kind == DECLES_TRANSLATE) {
+        for (int c = 0; c < k; c++) to[c] = q[c] + theta * motion->by[c];
+    } else {
+        INVARIANT(k == 2);
+        struct decles_turn turn = find_turn(cache, motion, theta);
+        double x = q[0] - motion->centre[0], y = q[1] - motion->centre[1];
+        to[0] = motion->centre[0] + (turn.c * x - turn.s * y);
+        to[1] = motion->centre[1] + (turn.s * x + turn.c * y);
+    }
+}
+
+/* The mean of what the nearest anchors' motions suggest for the point at q. */
+static void mean(const struct decles_suggester *s, const struct decles_edit *edit,
+                 const struct decles_visit *visit, double theta, const double *q, int k,
+                 double to[2]) {
+    double sum[2] = {0, 0}, each[2];
+    for (size_t i = 0; i < visit->count; i++) {
+        uint32_t motion = edit->anchor[s->nearest[visit->first + i]].motion;
+        move(s->turn, &edit->motion[motion], theta, q, k, each);
+        for (int c = 0; c < k; c++) sum[c] += each[c];
+    }
+    for (int c = 0; c < k; c++) to[c] = sum[c] / (double)visit->count;
+}
+
+static void suggest(const struct decles_suggester *s, const struct decles_edit *edit,
+                    bool several_motions, uint32_t p, const double *q, int k, double to[2]) {
+    uint32_t near = s->near.mark[p], far = s->far.mark[p];
+    const struct decles_visit *visit = near == 0 ? NULL : &s->near.visit[near - 1];
+    double theta = 1;
+    if (!visit) { /* no anchor can be reached: theta = 0 */
+        memcpy(to, q, (size_t)k * sizeof *to);
+        return;
+    }
+    if (far != 0) {
+        double distance = s->far.visit[far - 1].distance;
+        theta = distance / (visit->distance + distance);
+    }
+    if (several_motions)
+        mean(s, edit, visit, theta, q, k, to);
+    else
+        move(s->turn, &edit->motion[edit->anchor[0].motion], theta, q, k, to);
+}
+
+bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
+                    const struct decles_edit *edit, const struct decles_values *values,
+                    double *suggested, struct err *err) {
+    size_t k = (size_t)values->k;
+    bool several_motions = false, ok;
+    for (size_t i = 1; i < edit->anchor_count; i++)
+        several_motions = several_motions || edit->anchor[i].motion != edit->anchor[0].motion;
+    ok = search_near(s, sets, several_motions, err) && search_far(&s->far, sets, err);
+    for (size_t i = 0; ok && i < sets->derived_count; i++) {
+        uint32_t p = sets->derived[i];
+        double to[2];
+        suggest(s, edit, several_motions, p, values->q + values->stride * p, values->k, to);
+        memcpy(suggested + i * k, to, k * sizeof *to);
+    }
+    for (size_t i = 0; ok && i < edit->wish_count; i++) {
+        uint32_t p = edit->wish[i].point;
+        if (sets->role[p] != ROLE_DERIVED) continue;
+        memcpy(suggested + (sets->column[p] - 1) * k, edit->wish[i].to, k * sizeof *suggested);
+    }
+    search_clear(&s->near);
+    search_clear(&s->far);
+    return ok;
+}
