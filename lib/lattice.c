@@ -75,3 +75,24 @@ double lattice_coordinate(double origin, double step, int64_t n, int d) {
     up = q + (c + margin);
     return down == up ? down : by_rationals(origin, step, n, d);
 }
+
+bool lattice_step(const struct lattice_choice *choice, double span, double far, double *step,
+                  struct err *err) {
+    int span_exponent, far_exponent, exponent;
+    *step = choice->step;
+    if (*step > 0 && span / *step < ldexp(1, choice->bits)) return true;
+    if (*step > 0)
+        return err_set(err, ERR_REFUSAL, "lattice too fine: %.6g steps of %g are not below 2^%d",
+                       span / *step, *step, choice->bits);
+    frexp(span, &span_exponent); /* span < 2^span_exponent */
+    frexp(far, &far_exponent);
+    exponent = span_exponent - choice->bits;
+    if (exponent < far_exponent - 53) exponent = far_exponent - 53;
+    if (exponent < -1074) exponent = -1074;
+    *step = ldexp(1, exponent);
+    return true;
+}
+
+double lattice_nearest(double x, double step) {
+    return rint(x / step) * step + 0.0;
+}
