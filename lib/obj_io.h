@@ -7,18 +7,7 @@
 #define OBJ_IO_H
 
 #include "err.h"
-
-#include <stdint.h>
-
-/* A model as geometry: element e is the vertices index[start[e] .. start[e+1]), a polygon (f, >=
- * 3), a polyline (l, >= 2) or a point (p). Indices count from 0. */
-struct model {
-    size_t vertex_count, element_count;
-    double (*vertex)[3];
-    size_t *start;
-    uint32_t *index;
-    char *kind; /* 'f', 'l' or 'p' */
-};
+#include "model.h"
 
 /* Reads path (NULL or "-": stdin). Errors: file:LINE:COL, indices out of range at either end. */
 bool model_read(struct model *m, const char *path, struct err *err) WARN_UNUSED;
