@@ -216,3 +216,14 @@ void points_put(FILE *to, const struct selector *s) {
         break;
     }
 }
+
+void points_put_numbers(FILE *to, const struct point_set *sorted) {
+    const uint32_t *p = sorted->point;
+    for (size_t i = 0, last; i < sorted->count; i = last + 1) {
+        struct selector range = {.kind = SELECT_RANGE};
+        for (last = i; last + 1 < sorted->count && p[last + 1] == p[last] + 1;) last++;
+        range.range.first = p[i];
+        range.range.last = p[last];
+        put_range(to, &range);
+    }
+}

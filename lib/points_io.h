@@ -23,6 +23,7 @@ bool points_parse_word(struct script *script, const char *word, struct err *err)
 
 /* Writes " WORD"; `before` and the shortest form of x. */
 void points_put(FILE *to, const struct selector *s);
+void points_put_numbers(FILE *to, const struct point_set *sorted); /* " 3-9 12" */
 void points_put_number(FILE *to, const char *before, double x);
 
 #endif

@@ -325,6 +325,7 @@ static bool apply_channel(struct run *run, const struct script_block *b, enum sc
                                ch->anchor,       ch->slaves.point, ch->motion,       ch->wish};
     struct script_event event = {.script = run->script,
                                  .block = b,
+                                 .points = &ch->slaves,
                                  .channel = c,
                                  .edit = &edit,
                                  .from = (const double(*)[2])ch->from,

@@ -21,12 +21,13 @@ extern const char *const script_channel_names[];
 struct script_event {
     const struct script *script;
     const struct script_block *block;
-    const struct point_set *points; /* of pin, unpin, weight; NULL for an edit */
+    const struct point_set *points; /* of pin, unpin, weight; else the slaves of the edit,
+                                       ascending, without anchors and pinned points */
 
     /* of an edit, after it was applied; else NULL */
     enum script_channel channel;
-    const struct decles_edit *edit; /* slaves: ascending, without anchors and pinned points */
-    const double (*from)[2];        /* where the anchors were; z in the first column */
+    const struct decles_edit *edit;
+    const double (*from)[2]; /* where the anchors were; z in the first column */
     const struct decles_report *report;
 };
 

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* decles-edit - carries out an editing script on a grid. */
+#include "cli.h"
+#include "edits_io.h"
+#include "grid_io.h"
+#include "out.h"
+#include "points_io.h"
+#include "script_run.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { KEY_CONTINUITY = 256, KEY_REPAIR, KEY_GAIN, KEY_VERBOSE, KEY_DIGITS };
+
+static const struct cli_option options[] = {
+    {'e', "edit", "STATEMENT", "this instead of EDITS; repeat it for more lines"},
+    {'n', "dry-run", NULL, "print what is edited instead of the grid"},
+    {KEY_CONTINUITY, "continuity", "0|1", "keep phi and sigma continuous, or C1 (1)"},
+    {KEY_REPAIR, "repair", NULL, "make a grid C1 that is not, before the edits"},
+    {KEY_GAIN, "max-gain", "G", "let points move G times as far as anchors (100)"},
+    {KEY_VERBOSE, "verbose", NULL, "report each edit on stderr"},
+    {KEY_DIGITS, "digits", "N", "write N significant digits, not all"},
+    {'o', "output", "FILE", "write there (stdout)"},
+    {0, NULL, NULL, NULL},
+};
+
+static const struct cli_program program = {
+    "decles-edit",
+    "[OPTIONS] EDITS [GRID] | decles-edit -e STATEMENT.. [OPTIONS] [GRID]",
+    options,
+    "examples:\n"
+    "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -e 'move @4,2 by 1 0.5 reach 6' >a.grid\n"
+    "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -n -e 'rotate v:22 about 4 2 by 30 within "
+    "2'\n",
+};
+
+struct settings {
+    struct decles_options decles;
+    bool dry, repair, verbose;
+    int digits;
+    const char *output, *edits, *grid; /* edits: NULL with -e */
+    char *statements;                  /* of -e, one a line */
+    size_t length;
+};
+
+static bool add_statement(struct settings *set, const char *text, struct err *err) {
+    size_t n = strlen(text);
+    char *longer = realloc(set->statements, set->length + n + 1);
+    if (!longer) return err_memory(err);
+    set->statements = longer;
+    memcpy(longer + set->length, text, n);
+    longer[set->length + n] = '\n';
+    set->length += n + 1;
+    return true;
+}
+
+static bool set_option(struct settings *set, const struct cli *cli, int key, struct err *err) {
+    int64_t n = 0;
+    switch (key) {
+    case 'e':
+        return add_statement(set, cli->value, err);
+    case 'n':
+        set->dry = true;
+        return true;
+    case 'o':
+        set->output = cli->value;
+        return true;
+    case KEY_REPAIR:
+        set->repair = true;
+        return true;
+    case KEY_VERBOSE:
+        set->verbose = true;
+        return true;
+    case KEY_GAIN:
+        return cli_double(cli, 0, 1e300, &set->decles.max_gain, err);
+    case KEY_DIGITS:
+        if (!cli_int(cli, 1, 17, &n, err)) return false;
+        set->digits = (int)n;
+        return true;
+    default: /* KEY_CONTINUITY */
+        if (!cli_int(cli, 0, 1, &n, err)) return false;
+        set->decles.continuity = (int)n;
+        return true;
+    }
+}
+
+static bool parse(struct cli *cli, struct settings *set, struct err *err) {
+    int key;
+    while ((key = cli_next(cli, err)) >= 0)
+        if (!set_option(set, cli, key, err)) return false;
+    if (key == CLI_STOP) return false;
+    if (set->statements) {
+        set->grid = cli_operand(cli, 0);
+        return cli_check_operands(cli, 0, 1, err);
+    }
+    set->edits = cli_operand(cli, 0);
+    set->grid = cli_operand(cli, 1);
+    return cli_check_operands(cli, 1, 2, err);
+}
+
+/* ---- what -n and --verbose tell ---- */
+
+struct display {
+    const struct cli *cli;
+    const struct settings *set;
+    FILE *plan; /* the output of -n */
+    const struct script_block *shown;
+};
+
+static void put_points(FILE *to, const char *title, const struct point_set *points) {
+    if (points->count == 0) return;
+    fprintf(to, "  %s", title);
+    points_put_numbers(to, points);
+    fputc('\n', to);
+}
+
+static void put_position(FILE *to, const char *word, const double *at, int columns) {
+    fprintf(to, " %s", word);
+    for (int c = 0; c < columns; c++) points_put_number(to, " ", at[c]);
+}
+
+/* The derived points come in the order of the solver. */
+static bool put_derived(FILE *to, const struct decles_report *report, struct err *err) {
+    struct point_set derived = {0};
+    bool ok = true;
+    for (size_t i = 0; ok && i < report->derived; i++)
+        ok = point_set_add(&derived, report->derived_point[i], err);
+    point_set_sort(&derived);
+    put_points(to, "derived", &derived);
+    free(derived.point);
+    return ok;
+}
+
+static bool put_edit(FILE *to, const struct script_event *e, struct err *err) {
+    const struct decles_edit *edit = e->edit;
+    int columns = e->channel == SCRIPT_PHI ? 2 : 1;
+    fprintf(to, "%s: anchors %zu, slaves %zu, derived %zu, conditions %zu\n",
+            script_channel_names[e->channel], edit->anchor_count, e->report->slaves,
+            e->report->derived, e->report->conditions);
+    for (size_t i = 0; i < edit->anchor_count; i++) {
+        fprintf(to, "  anchor %u", edit->anchor[i].point);
+        put_position(to, "from", e->from[i], columns);
+        put_position(to, "to", edit->anchor[i].to, columns);
+        fputc('\n', to);
+    }
+    for (size_t i = 0; i < edit->wish_count; i++) {
+        fprintf(to, "  wish %u", edit->wish[i].point);
+        put_position(to, "to", edit->wish[i].to, columns);
+        fputc('\n', to);
+    }
+    put_points(to, "slaves", e->points);
+    return put_derived(to, e->report, err);
+}
+
+static bool put_statements(FILE *to, const struct script_event *e, struct err *err) {
+    const struct script *script = e->script;
+    if (e->block->grouped) fprintf(to, "%s:%zu: begin\n", script->name, e->block->line);
+    for (size_t i = 0; i < e->block->count; i++) {
+        const struct script_statement *s = &script->statement[e->block->first + i];
+        char *text = edits_text(script, s, err);
+        if (!text) return false;
+        fprintf(to, "%s:%zu: %s\n", script->name, s->line, text);
+        free(text);
+    }
+    return true;
+}
+
+static bool note_edit(const struct display *d, const struct script_event *e, struct err *err) {
+    const struct decles_report *r = e->report;
+    const struct script_statement *s = &e->script->statement[e->block->first];
+    char *text = e->block->grouped ? strdup("block") : edits_text(e->script, s, err);
+    if (!text) return err_memory(err);
+    cli_note(d->cli,
+             "%s:%zu: %s: %s |A| %zu |S| %zu |D| %zu |E| %zu rank %zu redundant %zu added %zu "
+             "residual %.3g displacement %.6g gain %.6g%s",
+             e->script->name, e->block->line, text, script_channel_names[e->channel], r->anchors,
+             r->slaves, r->derived, r->conditions, r->rank, r->redundant, r->added, r->residual,
+             r->displacement, r->gain, r->by_qr ? " by QR" : "");
+    free(text);
+    return true;
+}
+
+static bool see(void *context, const struct script_event *e, struct err *err) {
+    struct display *d = context;
+    if (d->set->verbose && e->edit && !note_edit(d, e, err)) return false;
+    if (!d->set->dry) return true;
+    if (d->shown != e->block && !put_statements(d->plan, e, err)) return false;
+    d->shown = e->block;
+    if (e->edit) return put_edit(d->plan, e, err);
+    put_points(d->plan, "points", e->points);
+    return true;
+}
+
+/* ---- the work ---- */
+
+static bool repair(struct spline *s, struct err *err) {
+    return decles_repair(&s->grid, &s->phi[0][0], 2, 2, err) &&
+           (!s->sigma || (decles_repair(&s->grid, &s->sigma[0][0], 2, 1, err) &&
+                          decles_repair(&s->grid, &s->sigma[0][1], 2, 1, err)));
+}
+
+static bool write_result(const struct cli *cli, const struct settings *set,
+                         const struct grid_file *file, const char *plan, struct err *err) {
+    char *history = cli_history(cli, err);
+    struct out out = {0};
+    bool ok = history && out_open(&out, set->output, err);
+    if (ok && set->dry) out_text(&out, plan);
+    if (ok && !set->dry) grid_write(&out, file, history, set->digits);
+    ok = ok && out_close(&out, err);
+    free(history);
+    return ok;
+}
+
+static bool edit(const struct cli *cli, const struct settings *set, const struct script *script,
+                 struct grid_file *file, struct err *err) {
+    char *plan = NULL;
+    size_t size;
+    struct display display = {.cli = cli, .set = set, .plan = open_memstream(&plan, &size)};
+    struct script_observer observer = {see, &display};
+    bool ok = display.plan || err_memory(err);
+    ok = ok && (!set->repair || repair(&file->spline, err)) &&
+         script_run(script, &file->spline, &set->decles, &observer, err);
+    if (display.plan && fclose(display.plan) != 0 && ok) ok = err_memory(err);
+    ok = ok && write_result(cli, set, file, plan, err);
+    free(plan);
+    return ok;
+}
+
+static void run(const struct cli *cli, const struct settings *set, struct err *err) {
+    struct script script = {0};
+    struct grid_file file = {0};
+    bool read = set->edits ? edits_read(&script, set->edits, err)
+                           : edits_parse(&script, "-e", set->statements, set->length, err);
+    if (!read) return;
+    if (grid_read(&file, set->grid, err)) {
+        (void)edit(cli, set, &script, &file, err);
+        grid_file_free(&file);
+    }
+    script_free(&script);
+}
+
+int main(int argc, char **argv) {
+    struct err err = {0};
+    struct cli cli;
+    struct settings set = {.decles = {.continuity = 1, .max_gain = 100}};
+    cli_init(&cli, &program, argc, argv);
+    if (parse(&cli, &set, &err)) run(&cli, &set, &err);
+    free(set.statements);
+    return cli_finish(&cli, &err);
+}
