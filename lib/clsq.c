@@ -26,9 +26,8 @@
  * the dust; then t + d is rounded to double.
  *
  * Proof. Factors that are all rounding, of rows nearly parallel, can make steps small that should
- * be large. So at the end r1 and r2 are compared, entry by entry, with what errors of 2^-60 x_j
- * would make of them: a solution that passes solves a problem whose every datum differs by 2^-60 of
- * itself at most. */
+ * be large. So at the end r1 and r2 are compared, entry by entry, with what errors of 2^-60 x_j, or
+ * 2^-75 max |d|, would make of them. */
 #include "clsq.h"
 
 #include "dd.h"
@@ -42,7 +41,8 @@
 #define ERROR_MAX 0x1p-110 /* the same for the error expected after it */
 #define DUST_ALL  0x1p-104 /* of the largest d, and */
 #define DUST_ONE  0x1p-96  /* of one d_j: what rounding regards as dust is below half of it */
-#define PROOF     0x1p-60  /* of x_j: how far residuals may reach */
+#define PROOF_ONE 0x1p-60  /* of x_j, and */
+#define PROOF_ALL 0x1p-75  /* of the largest d: the errors that the residuals may speak of */
 
 /* Bits that a step must gain, in the mean of all. Less is no contraction; a slow Cholesky gives up
  * early, since QR is the quicker way then. */
@@ -255,14 +255,14 @@ static double largest_of(const struct work *w, size_t c) {
     return largest;
 }
 
-/* What errors of PROOF times x, in points and fixed points, and dust can add up to in row i of
- * column c, scaled as r2. */
+/* What such errors of the points and fixed points can add up to in row i of column c, scaled as r2.
+ * absolute: PROOF_ALL times the largest d. */
 static double row_tolerance(const struct work *w, const double *x, size_t i, size_t c,
-                            double dust) {
+                            double absolute) {
     const struct int_matrix *a = w->p->a, *f = w->p->f;
-    double sum = 0, relative = PROOF / w->unit[c];
+    double sum = 0, relative = PROOF_ONE / w->unit[c];
     for (size_t e = a->start[i]; e < a->start[i + 1]; e++)
-        sum += fabs((double)a->value[e]) * (fabs(x[a->col[e] * w->k + c]) * relative + dust);
+        sum += fabs((double)a->value[e]) * (fabs(x[a->col[e] * w->k + c]) * relative + absolute);
     for (size_t e = f->start[i]; e < f->start[i + 1]; e++)
         sum += fabs((double)f->value[e] * w->p->fixed[f->col[e] * w->k + c] * relative);
     return sum * w->r[i];
@@ -271,12 +271,13 @@ static double row_tolerance(const struct work *w, const double *x, size_t i, siz
 /* Do the residuals prove x? */
 static bool proved(const struct work *w, const double *x) {
     for (size_t c = 0; c < w->k; c++) {
-        double dust = largest_of(w, c) * DUST_ALL;
+        const struct td *r1 = w->r1 + c * w->n, *r2 = w->r2 + c * w->m;
+        double absolute = largest_of(w, c) * PROOF_ALL, relative = PROOF_ONE / w->unit[c];
         for (size_t i = 0; i < w->m; i++)
-            if (!(fabs(w->r2[c * w->m + i].s[0]) <= row_tolerance(w, x, i, c, dust))) return false;
+            if (!(fabs(r2[i].s[0]) <= row_tolerance(w, x, i, c, absolute))) return false;
         for (size_t j = 0; j < w->n; j++) {
-            double d = fabs(w->r1[c * w->n + j].s[0]) / w->w[j] * w->s[j];
-            if (!(d <= fabs(x[j * w->k + c]) / w->unit[c] * PROOF + dust)) return false;
+            double d = fabs(r1[j].s[0]) / w->w[j] * w->s[j];
+            if (!(d <= fabs(x[j * w->k + c]) * relative + absolute)) return false;
         }
     }
     return true;

@@ -5,11 +5,17 @@
  *
  * for k right-hand sides at once ([14] (13)-(23)). A and F have the same rows, which must be
  * independent in A (exact.h chooses such rows). x - t = W^-1 A^T (A W^-1 A^T)^-1 (-F f - A t).
- * Rows are scaled by powers of two; the normal matrix is factored by CHOLMOD's simplicial LDL^T,
- * which calls no BLAS; solution and residuals are kept in double-double and refined until the
- * correction is below 2^-70 of the solution, and rounded once, so that the result has the same bits
- * whatever the BLAS, the compiler or the number of threads. Where refinement does not contract, a
- * QR factorisation (SuiteSparseQR) with the same refinement takes over. */
+ * Everything is scaled by powers of two; the normal matrix is factored by CHOLMOD's simplicial
+ * LDL^T, which calls no BLAS; residuals are kept in triple-double, the solution in double-double,
+ * and refined until the error is about 2^-110 of the solution. Then each x is rounded once, so that
+ * the result has the same bits whatever the BLAS, the compiler or the number of threads. Where
+ * refinement does not contract, a QR factorisation (SuiteSparseQR) with the same refinement takes
+ * over.
+ *
+ * Accuracy: each x_j is the exact solution rounded correctly, but for an error of at most 2^-104
+ * max |x - t|. Points in no row keep their bits. Weights may be any positive doubles; neither
+ * ratios of 10^12 between them nor rows as near to dependent as a condition number of 10^12 hurt;
+ * far beyond that the problem is refused. */
 #ifndef CLSQ_H
 #define CLSQ_H
 
@@ -31,8 +37,10 @@ struct clsq_report {
     bool by_qr;      /* the fallback was needed */
 };
 
-/* Fills x (n x k, row-major). m = 0 copies the target. Refuses (ERR_REFUSAL) where even QR does not
- * contract: A is too near to dependent for doubles. Cost: near-linear for planar problems. */
+/* Fills x (n x k, row-major; undefined after a failure). m = 0 copies the target. Refuses
+ * (ERR_REFUSAL) where even QR does not contract: A is too near to dependent for doubles; and where
+ * x overflows. Cost: near-linear for planar problems; 50 us for 50 x 121, 0.6 s for 96,361 x
+ * 193,600. */
 bool clsq_solve(const struct clsq_problem *problem, double *x, struct clsq_report *report,
                 struct err *err) WARN_UNUSED;
 

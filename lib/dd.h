@@ -90,10 +90,13 @@ static inline void td_add_product(struct td *sum, double a, double b) {
     *sum = (struct td){{s0.hi, carry.hi, sum->s[2] + (s1.lo + carry.lo)}};
 }
 
-/* Makes s[0] the rounded sum and s[1] the rounded rest. */
+/* Makes s[0] the rounded sum and s[1] the rounded rest. The second round is for sums that
+ * cancelled, where s[0] may have vanished against s[1]. */
 static inline void td_renormalise(struct td *sum) {
     struct dd low = dd_two_sum(sum->s[1], sum->s[2]);
     struct dd high = dd_two_sum(sum->s[0], low.hi);
+    low = dd_two_sum(high.lo, low.lo);
+    high = dd_two_sum(high.hi, low.hi);
     low = dd_two_sum(high.lo, low.lo);
     *sum = (struct td){{high.hi, low.hi, low.lo}};
 }

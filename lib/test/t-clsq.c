@@ -251,7 +251,8 @@ static void run(const struct kind *kind, int count, uint64_t first_seed, bool us
         uint64_t state = first_seed + (uint64_t)i;
         size_t m = (size_t)random_int(&state, 1, MAX_ROWS - 4);
         size_t n = (size_t)random_int(&state, (int64_t)m, (int64_t)m * 2);
-        connect(s, m, n, (size_t)random_int(&state, 0, 3), (int)random_int(&state, 1, 2));
+        size_t p = (size_t)random_int(&state, 0, 3);
+        connect(s, m, n, p, (int)random_int(&state, 1, 2));
         fill(s, &state, kind);
         s->p.use_qr = use_qr;
         check(s, first_seed + (uint64_t)i, kind->may_refuse, tally);
@@ -278,8 +279,10 @@ static void test_random(void **state) {
     };
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         struct tally tally = {0};
-        run(&kinds[i], scaled(100), 1000 * i, false, &tally);
-        assert_int_equal(tally.equal, tally.entries);
+        run(&kinds[i], scaled(100), 100000 * i, false, &tally);
+        /* weights from 1e-100 to 1e100 leave some x far below the largest displacement */
+        size_t allowed = kinds[i].may_refuse ? tally.entries / 50 : 0;
+        assert_true(tally.entries - tally.equal <= allowed);
     }
 }
 
@@ -289,8 +292,8 @@ static void test_structured(void **state) {
     (void)state;
     const struct kind kind = {.coefficient = 1, .percent = 30, .integers = true};
     struct tally cholesky = {0}, qr = {0};
-    run(&kind, scaled(300), 70000, false, &cholesky);
-    run(&kind, scaled(300), 70000, true, &qr);
+    run(&kind, scaled(300), 7000000, false, &cholesky);
+    run(&kind, scaled(300), 7000000, true, &qr);
     assert_int_equal(cholesky.equal, cholesky.entries);
     assert_int_equal(qr.equal, qr.entries);
 }
@@ -299,7 +302,7 @@ static void test_qr(void **state) {
     (void)state;
     const struct kind kind = {.coefficient = 9, .percent = 30, .magnitude = 1, .weight_digits = 3};
     struct tally tally = {0};
-    run(&kind, scaled(100), 80000, true, &tally);
+    run(&kind, scaled(100), 8000000, true, &tally);
     assert_int_equal(tally.equal, tally.entries);
     assert_int_equal(tally.by_qr, tally.problems);
 }
@@ -314,7 +317,7 @@ static void test_nearly_dependent(void **state) {
                                   .near = (int64_t)pow(10, digits),
                                   .may_refuse = digits > 10};
         struct tally tally = {0};
-        run(&kind, scaled(30), 90000 + 1000 * (uint64_t)digits, false, &tally);
+        run(&kind, scaled(30), 9000000 + 100000 * (uint64_t)digits, false, &tally);
         assert_true((tally.entries - tally.equal) * 100 <= tally.entries);
         assert_true(tally.refused * 2 <= tally.problems);
         by_qr += tally.by_qr;
