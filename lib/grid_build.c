@@ -113,8 +113,8 @@ static bool check_duplicates(struct build *b, struct radix_item *item, struct ra
     const struct grid *g = b->g;
     uint32_t n = g->vertex_count;
     for (uint32_t v = 0; v < n; v++) {
-        uint64_t x = (uint64_t)(g->vertex[v][0] + GRID_COORDINATE_MAX);
-        uint64_t y = (uint64_t)(g->vertex[v][1] + GRID_COORDINATE_MAX);
+        uint64_t x = (uint64_t)((int64_t)g->vertex[v][0] + GRID_COORDINATE_MAX);
+        uint64_t y = (uint64_t)((int64_t)g->vertex[v][1] + GRID_COORDINATE_MAX);
         item[v] = (struct radix_item){x << 32 | y, v};
     }
     radix_sort(item, spare, n);

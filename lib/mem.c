@@ -20,5 +20,5 @@ bool mem_grow_bytes(void *array, size_t *cap, size_t need, size_t size, struct e
     if (!fresh) return err_memory(err);
     memcpy(array, &fresh, sizeof fresh);
     *cap = n;
-    return true;
+    return true; /* cppcheck-suppress memleak ; *array owns it */
 }

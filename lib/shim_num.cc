@@ -13,8 +13,8 @@ enum shim_num_status shim_num_read(const char *s, const char *end, double *x, co
 }
 
 size_t shim_num_print(char *buf, double x, int digits) {
-    std::to_chars_result r = digits > 0
-                                 ? std::to_chars(buf, buf + 32, x, std::chars_format::general, digits)
-                                 : std::to_chars(buf, buf + 32, x);
+    std::to_chars_result r =
+        digits > 0 ? std::to_chars(buf, buf + 32, x, std::chars_format::general, digits)
+                   : std::to_chars(buf, buf + 32, x);
     return static_cast<size_t>(r.ptr - buf);
 }
