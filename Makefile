@@ -33,7 +33,6 @@ TESTS   := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard lib/test/t-*.c)))
 FUZZERS := $(patsubst %.c,$(BUILD)/fuzz/%,$(notdir $(wildcard lib/fuzz/fuzz-*.c)))
 HEADERS := $(filter-out lib/shim_%,$(wildcard lib/*.h))
 SOURCES := $(wildcard lib/*.[ch] lib/*.cc lib/test/*.[ch] lib/fuzz/*.[ch] tools/*.c scripts/bench/*.c scripts/bench/*.cc)
-SUITES  := unit golden properties
 
 .PHONY: all tests help unit check check-long bless demo bench asan fuzz fuzzers lint format install uninstall dist clean
 all: $(TOOLS) $(LIB)     ## build the programs into build/bin
@@ -50,7 +49,7 @@ unit: $(TESTS)           ## run the unit tests
 	scripts/unit
 
 check: all $(TESTS)      ## run all tests that take seconds
-	scripts/suites $(SUITES)
+	scripts/suites
 
 check-long: all $(TESTS) ## run them with ten times the random cases
 	SUPPLE_TEST_SCALE=1000 scripts/suites unit properties
@@ -64,7 +63,7 @@ bench: all               ## measure speed and memory against the limits
 asan:                    ## test with AddressSanitizer and UBSan (clang), a quarter of the random cases
 	$(MAKE) BUILD=build/asan CC=clang CXX=clang++ OPT='-O1 -g' \
 	    SAN='-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer' all tests
-	BUILD=build/asan SUPPLE_TEST_SCALE=25 scripts/suites unit golden
+	BUILD=build/asan SUPPLE_TEST_SCALE=25 scripts/suites unit golden bad
 
 fuzz:                    ## fuzz every text format, FUZZ_SECONDS in all (clang)
 	$(MAKE) BUILD=build/fuzz CC=clang CXX=clang++ OPT='-O1 -g' \
