@@ -18,7 +18,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { CHUNK = 1 << 20, QUOTE_MAX = 40 };
+enum { ROOM = 1 << 18, LEAST = ROOM / 4, QUOTE_MAX = 40 };
 
 bool src_open(struct src *src, const char *path, struct err *err) {
     bool standard = !path || strcmp(path, "-") == 0;
@@ -57,7 +57,7 @@ static bool refill(struct src *src) {
         src->hi -= src->lo;
         src->lo = 0;
     }
-    if (src->cap - src->hi < CHUNK && !mem_grow(src->buf, &src->cap, src->hi + CHUNK, &src->err))
+    if (src->cap - src->hi < LEAST && !mem_grow(src->buf, &src->cap, src->hi + ROOM, &src->err))
         return false;
     do got = read(src->fd, src->buf + src->hi, src->cap - src->hi);
     while (got < 0 && errno == EINTR);

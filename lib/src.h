@@ -4,7 +4,7 @@
  * It hands out lines; within a line, words and numbers. '#' starts a comment, CRLF ends a line as
  * LF does, blanks are spaces and tabs. After the first error every call returns false and src->err
  * says "file:LINE:COL: expected X, got Y", so that a parser may check once, at its end. Lines may
- * have any length; memory is O(longest line + 1 MB). Only modules named *_io and edits use it. */
+ * have any length; memory is O(longest line + 256 KB). Only modules named *_io and edits use it. */
 #ifndef SRC_H
 #define SRC_H
 

@@ -94,7 +94,7 @@ static void test_empty(void **unused) {
 }
 
 /* Text of random lines, longer and longer ones among them, so that every kind of boundary falls on
- * the ends of the 1 MB chunks: inside words, between CR and LF, right behind a line. */
+ * the ends of what one read gives: inside words, between CR and LF, right behind a line. */
 struct planted {
     char *text;
     size_t length, count;
@@ -149,24 +149,25 @@ static void test_chunks(void **unused) {
     }
 }
 
-/* A line of n characters, n around the chunk of 1 MB, then a second one. */
+/* A line of n characters, n around the powers of two that a buffer may have, then a second one. */
 static void test_chunk_boundaries(void **unused) {
-    enum { CHUNK = 1 << 20 };
-    char *text = malloc(CHUNK + 40);
+    enum { MOST = 1 << 20 };
+    char *text = malloc(MOST + 40);
     (void)unused;
     assert_non_null(text);
-    for (int n = CHUNK - 4; n <= CHUNK + 4; n++) {
-        struct input in;
-        memset(text, 'x', (size_t)n);
-        memcpy(text + n, "\r\nsecond", 8);
-        open_input(&in, TEMPORARY, text, (size_t)n + 8);
-        assert_true(src_raw_line(&in.src));
-        assert_int_equal(in.src.raw_end - in.src.begin, n);
-        expect_line(&in.src, "second");
-        assert_false(src_raw_line(&in.src));
-        assert_true(in.src.eof);
-        src_close(&in.src);
-    }
+    for (int power = 1 << 12; power <= MOST; power *= 2)
+        for (int n = power - 4; n <= power + 4; n++) {
+            struct input in;
+            memset(text, 'x', (size_t)n);
+            memcpy(text + n, "\r\nsecond", 8);
+            open_input(&in, TEMPORARY, text, (size_t)n + 8);
+            assert_true(src_raw_line(&in.src));
+            assert_int_equal(in.src.raw_end - in.src.begin, n);
+            expect_line(&in.src, "second");
+            assert_false(src_raw_line(&in.src));
+            assert_true(in.src.eof);
+            src_close(&in.src);
+        }
     free(text);
 }
 
