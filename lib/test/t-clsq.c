@@ -2,39 +2,20 @@
 /* clsq against the dense equations of Lagrange, solved in rationals and rounded by MPFR. */
 #include "clsq.h"
 
+#include "testing.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <mpfr.h>
-#include <setjmp.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
 /* ---- random problems ---- */
-
-static uint64_t random_bits(uint64_t *state) { /* splitmix64 */
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return z ^ z >> 31;
-}
-
-static int64_t random_int(uint64_t *state, int64_t lo, int64_t hi) {
-    return lo + (int64_t)(random_bits(state) % (uint64_t)(hi - lo + 1));
-}
 
 static double random_real(uint64_t *state) { /* in [-1, 1) */
     return (double)(int64_t)random_bits(state) * 0x1p-63;
-}
-
-static int scaled(int count) {
-    const char *percent = getenv("SUPPLE_TEST_SCALE");
-    long n = percent ? strtol(percent, NULL, 10) : 100;
-    return (int)(count * (n > 0 ? n : 100) / 100) + 1;
 }
 
 enum { MAX_ROWS = 12, MAX_COLS = 24 };
@@ -83,16 +64,16 @@ static void fill_row(struct small *s, uint64_t *seed, const struct kind *kind, s
     s->a.start[i + 1] = s->a.start[i];
     s->f.start[i + 1] = s->f.start[i];
     for (size_t j = 0; j < s->a.cols; j++) {
-        int64_t value = random_int(seed, -kind->coefficient, kind->coefficient);
-        if (j == i || random_int(seed, 0, 99) < kind->percent) append(&s->a, i, j, value);
+        int64_t value = random_in(seed, -kind->coefficient, kind->coefficient);
+        if (j == i || random_in(seed, 0, 99) < kind->percent) append(&s->a, i, j, value);
     }
     if (s->a.start[i + 1] == s->a.start[i]) append(&s->a, i, i, 1);
     for (size_t j = 0; j < s->f.cols; j++)
-        append(&s->f, i, j, random_int(seed, -kind->coefficient, kind->coefficient));
+        append(&s->f, i, j, random_in(seed, -kind->coefficient, kind->coefficient));
 }
 
 static void copy_row_nearly(struct small *s, uint64_t *seed, size_t i, int64_t factor) {
-    size_t length = s->a.start[1], changed = (size_t)random_int(seed, 0, (int64_t)length - 1);
+    size_t length = s->a.start[1], changed = (size_t)random_in(seed, 0, (int64_t)length - 1);
     s->a.start[i + 1] = s->a.start[i];
     for (size_t e = 0; e < length; e++)
         append(&s->a, i, s->a.col[e], factor * s->a.value[e] + (e == changed));
@@ -249,10 +230,10 @@ static void run(const struct kind *kind, int count, uint64_t first_seed, bool us
     assert_non_null(s);
     for (int i = 0; i < count; i++) {
         uint64_t state = first_seed + (uint64_t)i;
-        size_t m = (size_t)random_int(&state, 1, MAX_ROWS - 4);
-        size_t n = (size_t)random_int(&state, (int64_t)m, (int64_t)m * 2);
-        size_t p = (size_t)random_int(&state, 0, 3);
-        connect(s, m, n, p, (int)random_int(&state, 1, 2));
+        size_t m = (size_t)random_in(&state, 1, MAX_ROWS - 4);
+        size_t n = (size_t)random_in(&state, (int64_t)m, (int64_t)m * 2);
+        size_t p = (size_t)random_in(&state, 0, 3);
+        connect(s, m, n, p, (int)random_in(&state, 1, 2));
         fill(s, &state, kind);
         s->p.use_qr = use_qr;
         check(s, first_seed + (uint64_t)i, kind->may_refuse, tally);
@@ -279,7 +260,7 @@ static void test_random(void **state) {
     };
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         struct tally tally = {0};
-        run(&kinds[i], scaled(100), 100000 * i, false, &tally);
+        run(&kinds[i], test_count(100), 100000 * i, false, &tally);
         /* weights from 1e-100 to 1e100 leave some x far below the largest displacement */
         size_t allowed = kinds[i].may_refuse ? tally.entries / 50 : 0;
         assert_true(tally.entries - tally.equal <= allowed);
@@ -292,8 +273,8 @@ static void test_structured(void **state) {
     (void)state;
     const struct kind kind = {.coefficient = 1, .percent = 30, .integers = true};
     struct tally cholesky = {0}, qr = {0};
-    run(&kind, scaled(300), 7000000, false, &cholesky);
-    run(&kind, scaled(300), 7000000, true, &qr);
+    run(&kind, test_count(300), 7000000, false, &cholesky);
+    run(&kind, test_count(300), 7000000, true, &qr);
     assert_int_equal(cholesky.equal, cholesky.entries);
     assert_int_equal(qr.equal, qr.entries);
 }
@@ -302,7 +283,7 @@ static void test_qr(void **state) {
     (void)state;
     const struct kind kind = {.coefficient = 9, .percent = 30, .magnitude = 1, .weight_digits = 3};
     struct tally tally = {0};
-    run(&kind, scaled(100), 8000000, true, &tally);
+    run(&kind, test_count(100), 8000000, true, &tally);
     assert_int_equal(tally.equal, tally.entries);
     assert_int_equal(tally.by_qr, tally.problems);
 }
@@ -317,7 +298,7 @@ static void test_nearly_dependent(void **state) {
                                   .near = (int64_t)pow(10, digits),
                                   .may_refuse = digits > 10};
         struct tally tally = {0};
-        run(&kind, scaled(30), 9000000 + 100000 * (uint64_t)digits, false, &tally);
+        run(&kind, test_count(30), 9000000 + 100000 * (uint64_t)digits, false, &tally);
         assert_true((tally.entries - tally.equal) * 100 <= tally.entries);
         assert_true(tally.refused * 2 <= tally.problems);
         by_qr += tally.by_qr;
@@ -425,7 +406,7 @@ static void large_init(struct large *l, size_t side) {
             l->a.start[m + 1] = l->a.start[m];
             for (int e = 0; e < 4; e++)
                 append(&l->a, m, points[e],
-                       (e == 0 || e == 3 ? 1 : -1) * random_int(&seed, 900, 1100));
+                       (e == 0 || e == 3 ? 1 : -1) * random_in(&seed, 900, 1100));
         }
     }
     l->a.rows = m, l->a.cols = n;

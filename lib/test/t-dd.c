@@ -2,29 +2,12 @@
 /* dd against MPFR with enough bits to be exact. */
 #include "dd.h"
 
+#include "testing.h"
+
 #include <math.h>
 #include <mpfr.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include <cmocka.h>
-
-static uint64_t random_bits(uint64_t *state) { /* splitmix64 */
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return z ^ z >> 31;
-}
-
-static int scaled(int count) {
-    const char *percent = getenv("SUPPLE_TEST_SCALE");
-    long n = percent ? strtol(percent, NULL, 10) : 100;
-    return (int)(count * (n > 0 ? n : 100) / 100) + 1;
-}
 
 /* Any sign, an exponent in [-spread, spread], often few bits, so that ties and runs of 0 and 1 in
  * the halves occur. */
@@ -66,7 +49,7 @@ static void test_transforms(void **state) {
     uint64_t seed = 1;
     mpfr_t exact;
     mpfr_init2(exact, BITS);
-    for (int i = 0; i < scaled(100000); i++) {
+    for (int i = 0; i < test_count(100000); i++) {
         double a = random_double(&seed, 460), b = random_double(&seed, i % 2 ? 60 : 460);
         struct dd sum = dd_two_sum(a, b), product = dd_two_prod(a, b), half = dd_split(a);
         mpfr_set_d(exact, a, MPFR_RNDN);
@@ -88,7 +71,7 @@ static void test_range(void **state) {
     uint64_t seed = 2;
     mpfr_t exact;
     mpfr_init2(exact, BITS);
-    for (int i = 0; i < scaled(10000); i++) {
+    for (int i = 0; i < test_count(10000); i++) {
         double a = ldexp(random_double(&seed, 0), 996), b = ldexp(random_double(&seed, 0), 27);
         double tiny = ldexp(1 + fabs(random_double(&seed, 0)), -500);
         double small = ldexp(1 + fabs(random_double(&seed, 0)), -469);
@@ -107,7 +90,7 @@ static void test_arithmetic(void **state) {
     uint64_t seed = 3;
     mpfr_t x, y, exact, size;
     mpfr_inits2(BITS, x, y, exact, size, (mpfr_ptr)NULL);
-    for (int i = 0; i < scaled(50000); i++) {
+    for (int i = 0; i < test_count(50000); i++) {
         struct dd a = random_dd(&seed, 200), b = random_dd(&seed, i % 2 ? 4 : 200);
         double d = random_double(&seed, i % 2 ? 4 : 200);
         if (i % 5 == 0) b = dd_add_double(dd_negate(a), a.lo / 3); /* cancels */
@@ -132,7 +115,7 @@ static void test_accumulator(void **state) {
     uint64_t seed = 4;
     mpfr_t exact, term, size;
     mpfr_inits2(BITS, exact, term, size, (mpfr_ptr)NULL);
-    for (int i = 0; i < scaled(5000); i++) {
+    for (int i = 0; i < test_count(5000); i++) {
         struct td sum = {{0, 0, 0}};
         double a[TERMS], b[TERMS];
         mpfr_set_zero(exact, 1);

@@ -2,31 +2,14 @@
 /* trig against identities and against MPFR at 300 bits, with another reduction. */
 #include "trig.h"
 
+#include "testing.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <mpfr.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include <cmocka.h>
-
-static uint64_t random_bits(uint64_t *state) { /* splitmix64 */
-    uint64_t z = *state += 0x9e3779b97f4a7c15u;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ z >> 27) * 0x94d049bb133111ebu;
-    return z ^ z >> 31;
-}
-
-static int scaled(int count) {
-    const char *percent = getenv("SUPPLE_TEST_SCALE");
-    long n = percent ? strtol(percent, NULL, 10) : 100;
-    return (int)(count * (n > 0 ? n : 100) / 100) + 1;
-}
 
 /* The double nearest to x as if its exponent had no bounds below, then a subnormal: by integers. */
 static double nearest(mpfr_t x) {
@@ -70,12 +53,12 @@ static void check(double degrees) {
 static void test_random(void **state) {
     (void)state;
     uint64_t seed = 1;
-    for (int i = 0; i < scaled(1000); i++) {
+    for (int i = 0; i < test_count(1000); i++) {
         double unit = (double)(int64_t)random_bits(&seed) * 0x1p-63;
         check(360 * unit);
         check(unit * pow(10, (double)(random_bits(&seed) % 40) - 20));
     }
-    for (int i = 0; i < scaled(200); i++) { /* any finite double */
+    for (int i = 0; i < test_count(200); i++) { /* any finite double */
         uint64_t bits = random_bits(&seed);
         double any;
         memcpy(&any, &bits, sizeof any);
@@ -144,7 +127,7 @@ static double power_oracle(double base, double exponent) {
 static void test_pow(void **state) {
     (void)state;
     uint64_t seed = 2;
-    for (int i = 0; i < scaled(2000); i++) {
+    for (int i = 0; i < test_count(2000); i++) {
         double base = pow(10, (double)(int64_t)random_bits(&seed) * 0x1p-62);
         double exponent = (double)(int64_t)random_bits(&seed) * 0x1p-63;
         if (i % 4 == 0) exponent *= 180; /* overflow and subnormals too */
