@@ -38,7 +38,8 @@ static inline uint64_t modp_mul(struct modp m, uint64_t a, uint64_t b) {
 }
 
 static inline uint64_t modp_of_int(struct modp m, int64_t a) {
-    uint64_t r = (a < 0 ? -(uint64_t)a : (uint64_t)a) % m.q;
+    uint64_t r = a < 0 ? -(uint64_t)a : (uint64_t)a;
+    if (r >= m.q) r %= m.q;
     return a < 0 && r ? m.q - r : r;
 }
 

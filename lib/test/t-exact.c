@@ -3,39 +3,20 @@
  * multiples of the primes that the library begins with; conditions of whole C1 grids against the
  * rank formula. Every relation is checked in exact integers. */
 #include "exact.h"
+#include "testing.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-#include <cmocka.h>
-
-/* ---- random numbers, repetition ---- */
-
-static uint64_t next(uint64_t *seed) { /* splitmix64 */
-    uint64_t z = *seed += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
 static size_t below(uint64_t *seed, size_t n) {
-    return (size_t)(next(seed) % n);
+    return (size_t)(random_bits(seed) % n);
 }
 
-/* -limit .. limit */
 static int64_t within(uint64_t *seed, int64_t limit) {
-    return (int64_t)(next(seed) % (2 * (uint64_t)limit + 1)) - limit;
-}
-
-static int scaled(int count) {
-    const char *text = getenv("SUPPLE_TEST_SCALE");
-    long percent = text ? strtol(text, NULL, 10) : 100;
-    long n = count * percent / 100;
-    return n < 1 ? 1 : (int)n;
+    return random_in(seed, -limit, limit);
 }
 
 /* ---- dense and sparse matrices ---- */
@@ -220,13 +201,13 @@ static void planted_case(uint64_t seed, size_t largest) {
 
 static void planted_ranks(void **state) {
     (void)state;
-    for (int i = 0; i < scaled(3000); i++) planted_case((uint64_t)i, 12);
-    for (int i = 0; i < scaled(300); i++) planted_case(UINT64_C(1000000) + (uint64_t)i, 40);
+    for (int i = 0; i < test_count(3000); i++) planted_case((uint64_t)i, 12);
+    for (int i = 0; i < test_count(300); i++) planted_case(UINT64_C(1000000) + (uint64_t)i, 40);
 }
 
 static void random_sparse(void **state) {
     (void)state;
-    for (int i = 0; i < scaled(1500); i++) {
+    for (int i = 0; i < test_count(1500); i++) {
         uint64_t seed = UINT64_C(2000000) + (uint64_t)i, s = seed;
         struct dense d = dense_new(1 + below(&s, 40), 1 + below(&s, 40));
         fill(&d, i % 2 ? 1 : 1000000, 4 + below(&s, 12), &s);
@@ -238,7 +219,7 @@ static void random_sparse(void **state) {
 static void huge_entries(void **state) {
     const int64_t top = INT64_C(1) << 53;
     (void)state;
-    for (int i = 0; i < scaled(400); i++) {
+    for (int i = 0; i < test_count(400); i++) {
         uint64_t seed = UINT64_C(3000000) + (uint64_t)i, s = seed;
         size_t m = 3 + below(&s, 15), n = 1 + below(&s, 20);
         struct dense d = dense_new(m, n);
@@ -254,6 +235,17 @@ static void huge_entries(void **state) {
             }
         }
         check_dense(d, seed);
+    }
+}
+
+/* Determinants of 40 rows and 2,000 bits: more primes than the library has in its table. */
+static void many_primes(void **state) {
+    (void)state;
+    for (uint64_t seed = 0; seed < 3; seed++) {
+        struct dense d = dense_new(43, 40);
+        uint64_t s = seed;
+        fill(&d, INT64_C(1) << 53, 100, &s);
+        assert_int_equal(check_dense(d, seed), 40);
     }
 }
 
@@ -280,7 +272,7 @@ static void mix(struct dense *d, int steps, uint64_t *seed) {
     for (int i = 0; i < steps; i++) {
         size_t r = below(seed, d->m), s = below(seed, d->m);
         size_t c = below(seed, d->n), e = below(seed, d->n);
-        int64_t f = next(seed) % 2 ? 1 : -1;
+        int64_t f = random_bits(seed) % 2 ? 1 : -1;
         if (r != s) add_line(d->x + r * d->n, d->x + s * d->n, d->n, 1, f);
         if (c != e) add_line(d->x + c, d->x + e, d->m, d->n, f);
     }
@@ -303,7 +295,7 @@ static const int64_t first_c[] = {1, 31, 45, 229, 259, 283};
 /* Several such blocks, for one prime or for many, mixed; then rows that are truly dependent. */
 static void unlucky_primes(void **state) {
     (void)state;
-    for (int i = 0; i < scaled(600); i++) {
+    for (int i = 0; i < test_count(600); i++) {
         uint64_t seed = UINT64_C(4000000) + (uint64_t)i, s = seed;
         size_t blocks = 1 + below(&s, 6), extra = below(&s, 4), n = 2 * blocks, m = n + extra;
         struct dense square = dense_new(n, n), d = dense_new(m, n + 1);
@@ -383,7 +375,7 @@ static void free_is_harmless(void **state) {
 /* The same rows in another order have the same rank. */
 static void orders(void **state) {
     (void)state;
-    for (int i = 0; i < scaled(300); i++) {
+    for (int i = 0; i < test_count(300); i++) {
         uint64_t seed = UINT64_C(5000000) + (uint64_t)i, s = seed;
         size_t m = 2 + below(&s, 20), n = 2 + below(&s, 12), rank;
         struct dense d = dense_new(m, n), e = dense_new(m, n);
@@ -415,7 +407,7 @@ static bool same(const struct exact_rows *e, const struct exact_rows *f, size_t 
 /* Twice the same matrix: twice the same result, whatever memory it falls into. */
 static void deterministic(void **state) {
     (void)state;
-    for (int i = 0; i < scaled(200); i++) {
+    for (int i = 0; i < test_count(200); i++) {
         uint64_t s = UINT64_C(6000000) + (uint64_t)i;
         struct dense d = dense_new(2 + below(&s, 30), 2 + below(&s, 30));
         struct exact_rows e, f;
@@ -601,6 +593,40 @@ static void whole_grids(void **state) {
     }
 }
 
+/* |y| times the largest entry of its row: what the row weighs in the relation. */
+static double share(const struct int_matrix *a, const struct exact_relation *r, size_t k) {
+    int64_t largest = 0;
+    for (size_t i = a->start[r->row[k]]; i < a->start[r->row[k] + 1]; i++)
+        if (llabs(a->value[i]) > largest) largest = llabs(a->value[i]);
+    return (double)largest * fabs(mpz_get_d(r->y[k]));
+}
+
+/* No row is dropped that the others determine badly, also where vertices are all but singular. */
+static void stable_choice(void **state) {
+    (void)state;
+    for (uint64_t i = 0; i < 8; i++) {
+        uint64_t seed = UINT64_C(9000000) + i;
+        struct mesh g = mesh_new(12, i % 2 == 0, 30000, i < 4 ? 12000 : 1, &seed);
+        struct int_matrix a = conditions(&g, 5);
+        struct exact_rows e;
+        struct err err;
+        assert_true(exact_rows_init(&e, &a, &err));
+        for (size_t j = 0; j < e.relation_count; j++) {
+            const struct exact_relation *r = &e.relation[j];
+            double largest = 0, own = 0;
+            for (size_t k = 0; k < r->n; k++) {
+                double x = share(&a, r, k);
+                if (x > largest) largest = x;
+                if (r->row[k] == r->dependent) own = x;
+            }
+            assert_true(own >= largest / 4);
+        }
+        exact_rows_free(&e);
+        sparse_free(&a);
+        mesh_free(&g);
+    }
+}
+
 /* Only some columns, and the rows that meet them: what an edit asks for. */
 static struct int_matrix columns_of(const struct int_matrix *a, size_t percent, uint64_t *seed) {
     struct int_matrix b = sparse_new(a->rows, a->cols, a->start[a->rows]);
@@ -627,7 +653,7 @@ static struct dense dense_of(const struct int_matrix *a) {
 
 static void parts_of_grids(void **state) {
     (void)state;
-    for (int i = 0; i < scaled(60); i++) {
+    for (int i = 0; i < test_count(60); i++) {
         uint64_t seed = UINT64_C(8000000) + (uint64_t)i, s = seed;
         struct mesh g = mesh_new(2, i % 2 == 0, 5000, i % 3 ? 1900 : 0, &s);
         struct int_matrix a = conditions(&g, 5), b = columns_of(&a, 20 + below(&s, 80), &s);
@@ -679,13 +705,22 @@ static void timing(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(planted_ranks),          cmocka_unit_test(random_sparse),
-        cmocka_unit_test(huge_entries),           cmocka_unit_test(mersenne_determinant),
-        cmocka_unit_test(unlucky_primes),         cmocka_unit_test(unlucky_chains),
-        cmocka_unit_test(shapes_without_entries), cmocka_unit_test(simple_shapes),
-        cmocka_unit_test(free_is_harmless),       cmocka_unit_test(orders),
-        cmocka_unit_test(deterministic),          cmocka_unit_test(whole_grids),
-        cmocka_unit_test(parts_of_grids),         cmocka_unit_test(timing),
+        cmocka_unit_test(planted_ranks),
+        cmocka_unit_test(random_sparse),
+        cmocka_unit_test(huge_entries),
+        cmocka_unit_test(many_primes),
+        cmocka_unit_test(mersenne_determinant),
+        cmocka_unit_test(unlucky_primes),
+        cmocka_unit_test(unlucky_chains),
+        cmocka_unit_test(shapes_without_entries),
+        cmocka_unit_test(simple_shapes),
+        cmocka_unit_test(free_is_harmless),
+        cmocka_unit_test(orders),
+        cmocka_unit_test(deterministic),
+        cmocka_unit_test(whole_grids),
+        cmocka_unit_test(parts_of_grids),
+        cmocka_unit_test(stable_choice),
+        cmocka_unit_test(timing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
