@@ -1,12 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* reach: breadth-first search in the global Bezier net. The neighbours of a point are found in each
- * triangle that has it, by moving one unit between two of its weights:
- *
- *            (i+1,j,k-1)   (i,j+1,k-1)            A point on an edge or corner finds the
- *                     \    /                      neighbours along its edges once from each
- *     (i+1,j-1,k) -- (i,j,k) -- (i-1,j+1,k)       side; marks keep them from counting twice.
- *                     /    \
- *            (i,j-1,k+1)   (i-1,j,k+1)
+/* reach: breadth-first search in the global Bezier net. A point on an edge or corner finds some
+ * neighbours from several triangles; marks keep them from counting twice.
  *
  * within: for a few anchors the box around each is searched; for many, the box around all of them,
  * and each point there asks an index of the anchors for the nearest. So the cost is at most
@@ -14,6 +8,7 @@
 #include "select.h"
 
 #include "mem.h"
+#include "net.h"
 
 #include <math.h>
 #include <string.h>
@@ -226,17 +221,10 @@ static bool add_unmarked(struct select_space *space, uint32_t p, struct point_se
 /* Appends the unmarked neighbours of p within triangle t. */
 static bool add_neighbours(struct select_space *space, uint32_t p, uint32_t t,
                            struct point_set *set, struct err *err) {
-    int w[3];
-    grid_weights(space->grid, p, t, w);
-    for (int from = 0; from < 3; from++)
-        for (int to = 0; to < 3; to++) {
-            int v[3] = {w[0], w[1], w[2]};
-            if (from == to || w[from] == 0) continue;
-            v[from]--;
-            v[to]++;
-            if (!add_unmarked(space, grid_point(space->grid, t, v[0], v[1], v[2]), set, err))
-                return false;
-        }
+    uint32_t neighbour[6];
+    int n = net_neighbours(space->grid, p, t, neighbour);
+    for (int i = 0; i < n; i++)
+        if (!add_unmarked(space, neighbour[i], set, err)) return false;
     return true;
 }
 

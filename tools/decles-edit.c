@@ -27,7 +27,7 @@ static const struct cli_option options[] = {
 
 static const struct cli_program program = {
     "decles-edit",
-    "[OPTIONS] EDITS [GRID] | decles-edit -e STATEMENT.. [OPTIONS] [GRID]",
+    "[OPTION]... EDITS [GRID] | -e STATEMENT... [OPTION]... [GRID]",
     options,
     "examples:\n"
     "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -e 'move @4,2 by 1 0.5 reach 6' >a.grid\n"
@@ -41,17 +41,13 @@ struct settings {
     int digits;
     const char *output, *edits, *grid; /* edits: NULL with -e */
     char *statements;                  /* of -e, one a line */
-    size_t length;
 };
 
 static bool add_statement(struct settings *set, const char *text, struct err *err) {
-    size_t n = strlen(text);
-    char *longer = realloc(set->statements, set->length + n + 1);
-    if (!longer) return err_memory(err);
-    set->statements = longer;
-    memcpy(longer + set->length, text, n);
-    longer[set->length + n] = '\n';
-    set->length += n + 1;
+    char *joined = NULL, *before = set->statements;
+    if (asprintf(&joined, "%s%s\n", before ? before : "", text) < 0) return err_memory(err);
+    free(before);
+    set->statements = joined;
     return true;
 }
 
@@ -170,8 +166,9 @@ static bool edit(const struct cli *cli, const struct settings *set, const struct
 static void run(const struct cli *cli, const struct settings *set, struct err *err) {
     struct script script = {0};
     struct grid_file file = {0};
-    bool read = set->edits ? edits_read(&script, set->edits, err)
-                           : edits_parse(&script, "-e", set->statements, set->length, err);
+    bool read = set->edits
+                    ? edits_read(&script, set->edits, err)
+                    : edits_parse(&script, "-e", set->statements, strlen(set->statements), err);
     if (!read) return;
     if (grid_read(&file, set->grid, err)) {
         (void)edit(cli, set, &script, &file, err);

@@ -19,7 +19,7 @@ static const struct cli_option options[] = {
 
 static const struct cli_program program = {
     "list-points",
-    "[OPTIONS] [POINTS..] [GRID]",
+    "[OPTION]... [POINTS]... [GRID]",
     options,
     "examples:\n"
     "  mkgrid --rect 0,0,8,4 --cells 8x4 | list-points --type corner\n"

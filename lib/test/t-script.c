@@ -135,39 +135,40 @@ static void test_wishes(void **unused) {
 
 /* ---- refusals ---- */
 
+static const struct {
+    const char *text;
+    enum err_kind kind;
+    size_t line, col;
+    const char *message;
+} bad[] = {
+    /* on a grid without depth */
+    {"move 5 999 by 1 1", ERR_INPUT, 1, 8, "expected a point in 0..335, got 999"},
+    {"move 5 by 1 1 with 6 v:20", ERR_INPUT, 1, 22, "expected a vertex in 0..19, got 20"},
+    {"\n pin 0:1,1,1", ERR_INPUT, 2, 6,
+     "expected Bezier indices whose sum is the degree, 5, got 1,1,1"},
+    {"move 5-6 to 1 1", ERR_INPUT, 1, 1, "move: expected one point with 'to', got 2"},
+    {"raise top all to 1", ERR_INPUT, 1, 1, "raise: expected a grid with depth, got one without"},
+    {"pin 7\n move 6-8 by 1 1", ERR_REFUSAL, 2, 2, "move: point 7 is pinned"},
+    {"pin 8\nbegin\nmove 6 by 1 1\nsuggest 8 by 1 1\nend", ERR_REFUSAL, 4, 1,
+     "suggest: point 8 is pinned"},
+    {"begin\nmove 6-8 by 1 1\n  move 7 by 1 1\nend", ERR_INPUT, 3, 3,
+     "second anchor at point 7, which is an anchor of line 2 in the same block"},
+    {"begin\nsuggest 7 by 1 1\nmove 7 by 1 1\nend", ERR_INPUT, 3, 1,
+     "second anchor at point 7, which is suggested by the statement of line 2 in the same "
+     "block"},
+    {"begin\nmove 7 by 1 1\nsuggest 7 by 1 1\nend", ERR_INPUT, 3, 1,
+     "suggest for point 7, which is an anchor of line 2 in the same block"},
+    {"suggest 7 by 1 1", ERR_INPUT, 1, 1,
+     "suggest: expected a move, rotate or scale in the same block"},
+    {"begin\n  suggest 7 by 1 1\nend", ERR_INPUT, 2, 3,
+     "suggest: expected a move, rotate or scale in the same block"},
+    {"move 7 by 1e308 0\nmove 7 by 1e308 0\n", ERR_REFUSAL, 2, 1,
+     "move: the new position of point 7 is too large"},
+    {"move 7 by -1e308 0\nmove 7 to 1e308 0\n", ERR_REFUSAL, 2, 1,
+     "move: the new position of point 7 is too large"},
+};
+
 static void test_refusals(void **unused) {
-    static const struct {
-        const char *text;
-        enum err_kind kind;
-        size_t line, col;
-        const char *message;
-    } bad[] = {
-        {"move 5 999 by 1 1", ERR_INPUT, 1, 8, "expected a point in 0..335, got 999"},
-        {"move 5 by 1 1 with 6 v:20", ERR_INPUT, 1, 22, "expected a vertex in 0..19, got 20"},
-        {"\n pin 0:1,1,1", ERR_INPUT, 2, 6,
-         "expected Bezier indices whose sum is the degree, 5, got 1,1,1"},
-        {"move 5-6 to 1 1", ERR_INPUT, 1, 1, "move: expected one point with 'to', got 2"},
-        {"raise top all to 1", ERR_INPUT, 1, 1,
-         "raise: expected a grid with depth, got one without"},
-        {"pin 7\n move 6-8 by 1 1", ERR_REFUSAL, 2, 2, "move: point 7 is pinned"},
-        {"pin 8\nbegin\nmove 6 by 1 1\nsuggest 8 by 1 1\nend", ERR_REFUSAL, 4, 1,
-         "suggest: point 8 is pinned"},
-        {"begin\nmove 6-8 by 1 1\n  move 7 by 1 1\nend", ERR_INPUT, 3, 3,
-         "second anchor at point 7, which is an anchor of line 2 in the same block"},
-        {"begin\nsuggest 7 by 1 1\nmove 7 by 1 1\nend", ERR_INPUT, 3, 1,
-         "second anchor at point 7, which is suggested by the statement of line 2 in the same "
-         "block"},
-        {"begin\nmove 7 by 1 1\nsuggest 7 by 1 1\nend", ERR_INPUT, 3, 1,
-         "suggest for point 7, which is an anchor of line 2 in the same block"},
-        {"suggest 7 by 1 1", ERR_INPUT, 1, 1,
-         "suggest: expected a move, rotate or scale in the same block"},
-        {"begin\n  suggest 7 by 1 1\nend", ERR_INPUT, 2, 3,
-         "suggest: expected a move, rotate or scale in the same block"},
-        {"move 7 by 1e308 0\nmove 7 by 1e308 0\n", ERR_REFUSAL, 2, 1,
-         "move: the new position of point 7 is too large"},
-        {"move 7 by -1e308 0\nmove 7 to 1e308 0\n", ERR_REFUSAL, 2, 1,
-         "move: the new position of point 7 is too large"},
-    };
     (void)unused;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct spline s;
