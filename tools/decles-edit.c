@@ -3,6 +3,7 @@
 #include "cli.h"
 #include "edits_io.h"
 #include "grid_io.h"
+#include "mem.h"
 #include "out.h"
 #include "plan_io.h"
 #include "script_run.h"
@@ -41,13 +42,15 @@ struct settings {
     int digits;
     const char *output, *edits, *grid; /* edits: NULL with -e */
     char *statements;                  /* of -e, one a line */
+    size_t length, room;
 };
 
 static bool add_statement(struct settings *set, const char *text, struct err *err) {
-    char *joined = NULL, *before = set->statements;
-    if (asprintf(&joined, "%s%s\n", before ? before : "", text) < 0) return err_memory(err);
-    free(before);
-    set->statements = joined;
+    size_t n = strlen(text) + 1;
+    if (!mem_grow(set->statements, &set->room, set->length + n, err)) return false;
+    memcpy(set->statements + set->length, text, n);
+    set->length += n;
+    set->statements[set->length - 1] = '\n';
     return true;
 }
 
@@ -166,9 +169,8 @@ static bool edit(const struct cli *cli, const struct settings *set, const struct
 static void run(const struct cli *cli, const struct settings *set, struct err *err) {
     struct script script = {0};
     struct grid_file file = {0};
-    bool read = set->edits
-                    ? edits_read(&script, set->edits, err)
-                    : edits_parse(&script, "-e", set->statements, strlen(set->statements), err);
+    bool read = set->edits ? edits_read(&script, set->edits, err)
+                           : edits_parse(&script, "-e", set->statements, set->length, err);
     if (!read) return;
     if (grid_read(&file, set->grid, err)) {
         (void)edit(cli, set, &script, &file, err);
