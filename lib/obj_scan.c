@@ -17,7 +17,7 @@ void obj_scan_init(struct obj_scan *s, const char *name, const char *text, size_
     *s = (struct obj_scan){.name = name, .text = text, .end = text + length, .next = text};
 }
 
-static bool is_blank(char c) {
+static inline bool is_blank(char c) {
     return c == ' ' || c == '\t';
 }
 
@@ -28,22 +28,30 @@ static const char *skip_continuation(const char *p, const char *stop) {
     return p;
 }
 
-static const char *skip_blanks(const char *p, const char *stop) {
-    for (;;) {
-        const char *before = p;
+static inline const char *skip_blanks(const char *p, const char *stop) {
+    const char *before;
+    do {
         while (p < stop && is_blank(*p)) p++;
+        before = p;
         if (p < stop && *p == '\\') p = skip_continuation(p, stop);
-        if (p == before) return p;
-    }
+    } while (p != before);
+    return p;
 }
 
-/* Does a word end at p? A continuation ends one only beside a blank: some programs read "1.2\" and
- * "3" as 1.23, others as two numbers, and it is not for us to choose. */
-static bool is_break(const char *p, const char *stop) {
-    const char *after;
-    if (p == stop || is_blank(*p) || *p == '#') return true;
-    after = skip_continuation(p, stop);
+/* Does a word end at the backslash p? Only beside a blank: some programs read "1.2\" and "3" as
+ * 1.23, others as two numbers, and it is not for us to choose. */
+static bool is_continuation_break(const char *p, const char *stop) {
+    const char *after = skip_continuation(p, stop);
     return after > p && (after == stop || is_blank(*after) || *after == '\\' || *after == '#');
+}
+
+static inline bool is_break(const char *p, const char *stop) {
+    return p == stop || is_blank(*p) || *p == '#' || (*p == '\\' && is_continuation_break(p, stop));
+}
+
+static inline const char *skip_word(const char *p, const char *stop) {
+    while (!is_break(p, stop)) p++;
+    return p;
 }
 
 /* Is the line end at `newline` a continuation? Not in a comment. */
@@ -62,34 +70,38 @@ static void find_end(struct obj_scan *s) {
 }
 
 static enum obj_kind kind_of(const char *word, size_t length) {
-    static const struct {
-        char word[5];
-        enum obj_kind kind;
-    } known[] = {{"v", OBJ_VERTEX}, {"vn", OBJ_NORMAL}, {"f", OBJ_FACE},      {"fo", OBJ_FACE},
-                 {"l", OBJ_LINE},   {"p", OBJ_POINT},   {"surf", OBJ_SURFACE}};
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-        if (length == strlen(known[i].word) && memcmp(word, known[i].word, length) == 0)
-            return known[i].kind;
-    return OBJ_OTHER;
+    switch (length) {
+    case 1:
+        if (word[0] == 'v') return OBJ_VERTEX;
+        if (word[0] == 'f') return OBJ_FACE;
+        if (word[0] == 'l') return OBJ_LINE;
+        if (word[0] == 'p') return OBJ_POINT;
+        return OBJ_OTHER;
+    case 2:
+        if (word[0] == 'v' && word[1] == 'n') return OBJ_NORMAL;
+        if (word[0] == 'f' && word[1] == 'o') return OBJ_FACE;
+        return OBJ_OTHER;
+    case 4:
+        return memcmp(word, "surf", 4) == 0 ? OBJ_SURFACE : OBJ_OTHER;
+    default:
+        return OBJ_OTHER;
+    }
 }
 
 enum obj_kind obj_next(struct obj_scan *s) {
-    const char *p, *word;
+    const char *word;
     s->line = s->next;
     if (s->err.kind || s->line == s->end) return OBJ_END;
     find_end(s);
-    word = p = skip_blanks(s->line, s->stop);
-    while (!is_break(p, s->stop)) p++;
-    s->at = p;
-    return kind_of(word, (size_t)(p - word));
+    word = skip_blanks(s->line, s->stop);
+    s->at = skip_word(word, s->stop);
+    return kind_of(word, (size_t)(s->at - word));
 }
 
 bool obj_word(struct obj_scan *s, const char **begin, const char **end) {
-    const char *p = skip_blanks(s->at, s->stop);
-    *begin = p;
-    while (!is_break(p, s->stop)) p++;
-    *end = s->at = p;
-    return p > *begin;
+    *begin = skip_blanks(s->at, s->stop);
+    *end = s->at = skip_word(*begin, s->stop);
+    return *end > *begin;
 }
 
 static bool number(struct obj_scan *s, const char *what, double *x) {
