@@ -1,29 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Buckets are square cells over the bounding box; each lists, in ascending order, the triangles
- * whose own bounding boxes meet it. The cell of a point is a monotone function of its coordinates,
- * also as rounded, and the corners of triangles are rounded monotonely, so a triangle that holds a
- * point is always in the point's list.
+ * that meet it. The cell of a point is a monotone function of its coordinates, also as rounded, so
+ * a triangle that holds a point is always in the point's list.
  *
- * A point is looked for in the hinted triangle and a neighbour or two (coherent input), then in
- * its bucket. A walk goes from triangle to triangle across an edge that has the point strictly on
- * its other side:
+ * A point is looked for in the hinted triangle (coherent input), then in its bucket. In a long
+ * list, where triangles are much smaller than elsewhere, a walk is tried first. It goes from
+ * triangle to triangle across an edge that has the point strictly on its other side:
  *
  *          /\
  *         / t\  e  \         p lies right of e as seen from t: go on in u
  *        /____\  u  \  . p
  *
- * It may leave the triangulation through a hole, and turn in circles on triangulations that are
- * not Delaunay; so it is only ever an accelerator with a limited number of steps, also in long
- * bucket lists, and the list decides. */
+ * A walk may leave the triangulation through a hole, and turn in circles where it is not Delaunay;
+ * so it has a limited number of steps, and the list decides. */
 #include "locate.h"
 
 #include "mem.h"
 
+#include <string.h>
+
 enum {
-    HINT_STEPS = 2, /* walk from the hint; further away the bucket is faster */
     LONG_LIST = 24, /* of which a walk is tried before a scan */
-    CELLS_PER_TRIANGLE = 2,
-    ITEMS_PER_TRIANGLE = 16, /* with more, larger cells are taken: needles cross many */
+    CELLS_PER_TRIANGLE = 4,
+    PAIRS_PER_TRIANGLE = 64, /* with more, larger cells are taken: needles cross many */
     NO_EDGE = 3,
 };
 
@@ -34,24 +33,33 @@ struct view {
     unsigned zero;
 };
 
-/* Returns the first edge that has p strictly outside, or NO_EDGE: then *view is complete. */
-static int look(const struct grid *g, uint32_t t, const double p[2], struct view *view) {
-    static const int next[3] = {1, 2, 0};
-    const uint32_t *corner = g->triangle[t];
-    view->zero = 0;
+/* Settles what the filter left open. Returns as look does. */
+static int look_closely(const struct locator *l, uint32_t t, const double p[2], struct view *view) {
     for (int e = 0; e < 3; e++) {
-        const int32_t *a = g->vertex[corner[next[e]]], *b = g->vertex[corner[next[next[e]]]];
-        double bound, area = predicate_side_filter(&g->lattice, a, b, p, &bound);
-        if (area < -bound) return e;
-        view->area[e] = area;
-        if (!(area > bound)) {
-            int sign = predicate_side(&g->lattice, a, b, p);
-            if (sign < 0) return e;
-            if (sign == 0) view->zero |= 1U << e;
-            if (sign == 0 || area < 0) view->area[e] = 0;
-        }
+        int sign = predicate_side(&l->grid->lattice, l->corner[t][(e + 1) % 3],
+                                  l->corner[t][(e + 2) % 3], p);
+        if (sign < 0) return e;
+        if (sign == 0) view->zero |= 1U << e;
+        if (sign == 0 || view->area[e] < 0) view->area[e] = 0;
     }
     return NO_EDGE;
+}
+
+/* Returns an edge that has p strictly outside, or NO_EDGE: then *view is complete. All three sides
+ * are computed before any is judged, since for scattered points a wrongly predicted branch costs
+ * more than a side. */
+static inline int look(const struct locator *l, uint32_t t, const double p[2], struct view *view) {
+    const struct lattice *lattice = &l->grid->lattice;
+    const int32_t(*v)[2] = (const int32_t(*)[2])l->corner[t];
+    double b0, b1, b2;
+    view->area[0] = predicate_side_filter(lattice, v[1], v[2], p, &b0);
+    view->area[1] = predicate_side_filter(lattice, v[2], v[0], p, &b1);
+    view->area[2] = predicate_side_filter(lattice, v[0], v[1], p, &b2);
+    view->zero = 0;
+    if ((view->area[0] > b0) & (view->area[1] > b1) & (view->area[2] > b2)) return NO_EDGE;
+    if ((view->area[0] < -b0) | (view->area[1] < -b1) | (view->area[2] < -b2))
+        return view->area[0] < -b0 ? 0 : view->area[1] < -b1 ? 1 : 2;
+    return look_closely(l, t, p, view);
 }
 
 static uint32_t neighbour(const struct grid *g, uint32_t t, int edge) {
@@ -60,12 +68,12 @@ static uint32_t neighbour(const struct grid *g, uint32_t t, int edge) {
 }
 
 /* Walks from t by at most `steps` edges; GRID_NONE if that does not lead to p. */
-static uint32_t walk(const struct grid *g, uint32_t t, const double p[2], uint32_t steps,
+static uint32_t walk(const struct locator *l, uint32_t t, const double p[2], uint32_t steps,
                      struct view *view) {
     for (uint32_t i = 0; i <= steps && t != GRID_NONE; i++) {
-        int edge = look(g, t, p, view);
+        int edge = look(l, t, p, view);
         if (edge == NO_EDGE) return t;
-        t = neighbour(g, t, edge);
+        t = neighbour(l->grid, t, edge);
     }
     return GRID_NONE;
 }
@@ -81,11 +89,11 @@ static uint32_t search_bucket(const struct locator *l, const double p[2], struct
     const uint32_t *item = l->item + l->start[cell];
     uint32_t n = l->start[cell + 1] - l->start[cell];
     if (n >= LONG_LIST) {
-        uint32_t t = walk(l->grid, item[0], p, n, view);
+        uint32_t t = walk(l, item[0], p, n, view);
         if (t != GRID_NONE) return t;
     }
     for (uint32_t i = 0; i < n; i++)
-        if (look(l->grid, item[i], p, view) == NO_EDGE) return item[i];
+        if (look(l, item[i], p, view) == NO_EDGE) return item[i];
     return GRID_NONE;
 }
 
@@ -123,12 +131,12 @@ static void barycentric(const struct grid *g, uint32_t t, const struct view *vie
 bool locate(const struct locator *l, const double p[2], uint32_t *hint, uint32_t *t, double b[3]) {
     const struct grid *g = l->grid;
     struct view view;
-    uint32_t found = walk(g, *hint, p, HINT_STEPS, &view);
-    if (found == GRID_NONE) found = search_bucket(l, p, &view);
+    uint32_t found = *hint;
+    if (look(l, found, p, &view) != NO_EDGE) found = search_bucket(l, p, &view);
     if (found == GRID_NONE) return false;
     if (view.zero) {
         uint32_t first = lowest(g, found, view.zero);
-        INVARIANT(first == found || look(g, first, p, &view) == NO_EDGE);
+        INVARIANT(first == found || look(l, first, p, &view) == NO_EDGE);
         found = first;
     }
     barycentric(g, found, &view, b);
@@ -151,7 +159,7 @@ static void box_of(const struct grid *g, uint32_t t, double lo[2], double hi[2])
     }
 }
 
-/* The cells of triangle t: columns first[0]..last[0], rows first[1]..last[1]. */
+/* The cells of triangle t's bounding box: columns first[0]..last[0], rows first[1]..last[1]. */
 static void cells_of(const struct locator *l, uint32_t t, uint32_t first[2], uint32_t last[2]) {
     double lo[2], hi[2];
     box_of(l->grid, t, lo, hi);
@@ -161,7 +169,30 @@ static void cells_of(const struct locator *l, uint32_t t, uint32_t first[2], uin
     }
 }
 
-static uint64_t count_items(const struct locator *l) {
+/* Does cell (x, y) lie strictly outside an edge of triangle t? Its corner furthest to the inside
+ * decides. The cell is taken larger than it can be by any rounding: column() is off by less than
+ * 2^-19 of a cell, the corner computed here by some ulps of its own magnitude. */
+static bool is_outside(const struct locator *l, uint32_t t, uint32_t x, uint32_t y) {
+    const uint32_t cell[2] = {x, y};
+    for (int e = 0; e < 3; e++) {
+        const int32_t *a = l->corner[t][(e + 1) % 3], *b = l->corner[t][(e + 2) % 3];
+        bool upper[2] = {b[1]<a[1], b[0]> a[0]}; /* inside is to the left of a->b */
+        double corner[2];
+        for (int k = 0; k < 2; k++) {
+            double off = upper[k] ? 1 + 0x1p-16 : -0x1p-16;
+            double from_origin = (cell[k] + off) / l->scale[k];
+            double slack = 0x1p-50 * (fabs(l->origin[k]) + fabs(from_origin));
+            corner[k] = l->origin[k] + from_origin + (upper[k] ? slack : -slack);
+        }
+        if (isfinite(corner[0]) && isfinite(corner[1]) &&
+            predicate_side(&l->grid->lattice, a, b, corner) < 0)
+            return true;
+    }
+    return false;
+}
+
+/* The number of pairs of a triangle and a cell of its bounding box. */
+static uint64_t count_pairs(const struct locator *l) {
     uint64_t n = 0;
     for (uint32_t t = 0; t < l->grid->triangle_count; t++) {
         uint32_t first[2], last[2];
@@ -203,6 +234,7 @@ static void fill(struct locator *l, size_t cells) {
             cells_of(l, t, first, last);
             for (uint32_t y = first[1]; y <= last[1]; y++)
                 for (uint32_t x = first[0]; x <= last[0]; x++) {
+                    if (is_outside(l, t, x, y)) continue;
                     uint32_t *at = &l->start[(size_t)y * l->size[0] + x + 1];
                     if (pass == 1) l->item[*at] = t;
                     ++*at;
@@ -221,11 +253,14 @@ bool locator_init(struct locator *l, const struct grid *g, struct err *err) {
     uint64_t items;
     size_t n;
     *l = (struct locator){.grid = g};
+    if (!mem_new(l->corner, g->triangle_count, err)) return false;
+    for (uint32_t t = 0; t < g->triangle_count; t++)
+        for (int k = 0; k < 3; k++) memcpy(l->corner[t][k], g->vertex[g->triangle[t][k]], 8);
     bounding_box(g, lo, hi);
     for (;; cells /= 4) {
         choose_cells(l, lo, hi, cells);
-        items = count_items(l);
-        if (items <= (uint64_t)g->triangle_count * ITEMS_PER_TRIANGLE || cells < 1) break;
+        items = count_pairs(l);
+        if (items <= (uint64_t)g->triangle_count * PAIRS_PER_TRIANGLE || cells < 1) break;
     }
     if (items > UINT32_MAX) return err_set(err, ERR_INPUT, "too many triangles to locate points");
     n = (size_t)l->size[0] * l->size[1];
@@ -238,6 +273,7 @@ bool locator_init(struct locator *l, const struct grid *g, struct err *err) {
 }
 
 void locator_free(struct locator *l) {
+    free(l->corner);
     free(l->start);
     free(l->item);
     *l = (struct locator){0};
