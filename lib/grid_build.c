@@ -179,13 +179,14 @@ static bool make_edges(struct build *b, const struct radix_item *item) {
     return true;
 }
 
-/* Sorting needs room for half-edges or vertices, whichever are more. */
+/* Duplicates come first: they are why a triangle may have no area. Sorting needs room for
+ * half-edges or vertices, whichever are more. */
 static bool sort_and_make_edges(struct build *b) {
     uint32_t halves = 3 * b->g->triangle_count, vertices = b->g->vertex_count;
     uint32_t room = halves > vertices ? halves : vertices;
     struct radix_item *item = NULL, *spare = NULL;
     bool ok = mem_new(item, room, b->err) && mem_new(spare, room, b->err) &&
-              check_duplicates(b, item, spare);
+              check_duplicates(b, item, spare) && check_triangles(b);
     if (ok) {
         sort_half_edges(b->g, item, spare);
         ok = make_edges(b, item);
@@ -299,8 +300,8 @@ bool grid_build_blaming(struct grid *g, struct grid_culprit *culprit, struct err
     struct build b = {g, culprit, err};
     bool ok;
     blame(&b, GRID_BAD_WHOLE, 0);
-    ok = check_frame(&b) && check_coordinates(&b) && check_triangles(&b) &&
-         sort_and_make_edges(&b) && fans(&b) && count_points(&b);
+    ok = check_frame(&b) && check_coordinates(&b) && sort_and_make_edges(&b) && fans(&b) &&
+         count_points(&b);
     if (!ok) grid_free(g);
     return ok;
 }

@@ -153,6 +153,7 @@ static bool read_vertices(struct reader *r) {
     return true;
 }
 
+/* Triangles, and the word that ends them. */
 static bool read_triangles(struct reader *r) {
     struct src *src = &r->src;
     size_t cap = 0, line_cap = 0;
@@ -174,7 +175,8 @@ static bool read_triangles(struct reader *r) {
         if (!src_end_line(src) || !next_record(src)) return false;
     }
     r->grid.triangle_count = count;
-    return true;
+    snprintf(expected, sizeof expected, "'points' after %u triangles", count);
+    return src_take(src, "points") || src_expected(src, expected);
 }
 
 /* Builds the topology; an error gets the line of its culprit. */
@@ -206,14 +208,12 @@ static bool read_point(struct src *src, struct spline *s, uint32_t p) {
            src_end_line(src) && next_record(src);
 }
 
-/* "points COUNT", where the count follows from the grid. */
+/* The count after `points`, which follows from the grid. */
 static bool read_point_count(struct reader *r) {
     struct src *src = &r->src;
     char expected[96];
     const char *before;
     int64_t count;
-    snprintf(expected, sizeof expected, "'points' after %u triangles", r->grid.triangle_count);
-    if (!src_take(src, "points")) return src_expected(src, expected);
     before = src->at;
     if (!src_int(src, "a number of points", INT64_MIN, INT64_MAX, &count)) return false;
     if (count != r->grid.point_count) {
