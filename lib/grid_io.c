@@ -212,9 +212,8 @@ static bool read_point(struct src *src, struct spline *s, uint32_t p) {
 static bool read_point_count(struct reader *r) {
     struct src *src = &r->src;
     char expected[96];
-    const char *before;
+    const char *before = src->at;
     int64_t count;
-    before = src->at;
     if (!src_int(src, "a number of points", INT64_MIN, INT64_MAX, &count)) return false;
     if (count != r->grid.point_count) {
         src->at = before;
