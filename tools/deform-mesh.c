@@ -22,10 +22,11 @@ static const struct cli_program program = {
     .name = "deform-mesh",
     .synopsis = "[OPTION]... MODEL [GRID]",
     .options = options,
-    .epilogue =
-        "\n"
-        "  mkgrid --model m.obj | decles-edit bend.edits | deform-mesh m.obj >bent.obj\n"
-        "  decles-edit -e 'raise top @0,0 by 1 reach 4' m.grid | deform-mesh m.obj -o m2.obj\n",
+    .epilogue = "examples:\n"
+                "  mkgrid --model worm.obj --plane zy | decles-edit bend.edits | deform-mesh "
+                "worm.obj >bent.obj\n"
+                "  decles-edit -e 'raise top @0,0 by .1 reach 4' worm.grid | deform-mesh worm.obj "
+                "-o raised.obj\n",
 };
 
 struct settings {
