@@ -119,17 +119,16 @@ static bool check_segments(const struct triangulation *t, struct err *err) {
     struct shim_cgal_sides sides = {world, t->vertex_count, (const uint32_t(*)[2])t->segment,
                                     t->segment_count};
     struct shim_cgal_mesh m = {0};
-    struct sides_fault fault;
+    struct sides_fault fault = {SIDES_SOUND, 0, 0, 0};
     char text[SIDES_TEXT_MAX];
-    bool ok = true;
+    bool ok;
     for (size_t i = 0; i < t->segment_count; i++)
         if (t->segment[i][0] == t->segment[i][1])
             return err_set(err, ERR_REFUSAL, "segment %zu joins a vertex to itself", i);
-    if (t->segment_count > 0) {
-        ok = triangulate(t, world, (const double(*)[2])t->seed, &m, &fault, err);
-        mesh_free(&m);
-    }
-    if (!ok || t->segment_count == 0 || fault.trouble == SIDES_SOUND) return ok;
+    if (t->segment_count == 0) return true;
+    ok = triangulate(t, world, (const double(*)[2])t->seed, &m, &fault, err);
+    mesh_free(&m);
+    if (!ok || fault.trouble == SIDES_SOUND) return ok;
     sides_describe(&fault, &sides, world, text);
     return err_set(err, ERR_REFUSAL, "segments meet elsewhere than at their ends: %s", text);
 }
