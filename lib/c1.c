@@ -14,7 +14,6 @@
 
 #include "dd.h"
 
-#include <float.h>
 #include <math.h>
 
 const char *const c1_type_names[] = {"corner",     "edge-corner", "edge", "inner-corner",
@@ -122,20 +121,30 @@ void c1_conditions_of(const struct grid *g, uint32_t p,
     }
 }
 
-struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride) {
+struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride,
+                            double dust) {
     struct dd sum = {0, 0};
     double terms = 0;
     for (int i = 0; i < 4; i++) {
         double a = (double)condition->coefficient[i], x = q[stride * condition->point[i]];
         sum = dd_add(sum, dd_two_prod(a, x));
-        terms += fabs(a * x);
+        terms += fabs(a) * (fabs(x) + dust);
     }
     return (struct c1_value){sum.hi, terms};
 }
 
+double c1_dust(const struct grid *g) {
+    double largest = g->has_depth ? fmax(fabs(g->depth[0]), fabs(g->depth[1])) : 0;
+    for (uint32_t v = 0; v < g->vertex_count; v++) {
+        double xy[2];
+        grid_vertex(g, v, xy);
+        largest = fmax(largest, fmax(fabs(xy[0]), fabs(xy[1])));
+    }
+    return largest / 1024;
+}
+
 bool c1_holds(struct c1_value value) {
-    const double smallest = 0x1p53 * 4 * DBL_TRUE_MIN; /* what four subnormal q may be off by */
-    return fabs(value.sum) <= 64 * 0x1p-53 * value.terms + smallest;
+    return fabs(value.sum) <= 64 * 0x1p-53 * value.terms;
 }
 
 double c1_relative(struct c1_value value) {
@@ -194,6 +203,7 @@ static bool exceeds(double a, double b) {
 
 void c1_residual(const struct grid *g, const double *q, size_t stride, double *absolute,
                  double *relative, uint32_t *edge) {
+    double dust = c1_dust(g);
     *absolute = *relative = 0;
     *edge = GRID_NONE;
     for (uint32_t e = 0; e < g->edge_count; e++) {
@@ -201,7 +211,7 @@ void c1_residual(const struct grid *g, const double *q, size_t stride, double *a
         if (*edge == GRID_NONE) *edge = e;
         for (int m = 0; m < g->degree; m++) {
             struct c1_condition condition = c1_condition(g, e, m);
-            struct c1_value value = c1_evaluate(&condition, q, stride);
+            struct c1_value value = c1_evaluate(&condition, q, stride, dust);
             double largest = 0, off;
             for (int i = 0; i < 4; i++)
                 largest = fmax(largest, fabs((double)condition.coefficient[i]));

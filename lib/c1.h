@@ -56,13 +56,20 @@ void c1_conditions_of(const struct grid *g, uint32_t p,
 /* What a condition comes to for a component q[stride * p]. */
 struct c1_value {
     double sum;   /* of a q, in double-double, rounded once */
-    double terms; /* sum of |a q| */
+    double terms; /* sum of |a q| + |a| dust */
 };
-struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride);
+struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride,
+                            double dust);
+
+/* The largest coordinate of the grid (with its depth), in world units, over 1024. Where points are
+ * forced to lie about 0, rounding of their neighbours leaves u times the neighbours' size there
+ * (heights are often 0 in wide parts). Terms are therefore measured with this much more for each
+ * point: an error of u / 16 of the grid's extent is none. O(vertices). */
+double c1_dust(const struct grid *g);
 
 /* A condition counts as true when |sum| is within 64 u of its terms, u = 2^-53: a solution that is
- * rounded once leaves 1 u where the condition was solved for, and some u where it follows from
- * others. Smaller than any double can tell (subnormal q) is true as well; nan is not. */
+ * rounded once leaves 1 u where the condition was solved for or follows from such, and some u where
+ * it hangs on older roundings. nan is not true. */
 bool c1_holds(struct c1_value value);
 
 /* |sum| / terms; 0/0 = 0. */
@@ -79,7 +86,7 @@ void c1_vertices(const struct grid *g, uint32_t *inner, uint32_t *singular);
 size_t c1_rank_formula(const struct grid *g);
 
 /* Over all conditions, for a component q[stride * p]: the largest |sum a q| / max |a|, in the unit
- * of q; the largest |sum a q| / sum |a q| (0/0 = 0); *edge is where that is attained (the lowest
+ * of q; the largest |sum a q| over its terms; *edge is where that is attained (the lowest
  * such), GRID_NONE without inner edges. nan counts as larger than any number. */
 void c1_residual(const struct grid *g, const double *q, size_t stride, double *absolute,
                  double *relative, uint32_t *edge);

@@ -163,38 +163,52 @@ static double magnitude(const double *a, int k) {
     return k > 1 ? fmax(fabs(a[0]), fabs(a[1])) : fabs(a[0]);
 }
 
-/* The largest displacement of D against the largest one asked for. Rounding lets E be off by 64 u
- * of its terms before the edit, and that is made good too: it counts as asked for. */
+static bool out_of_range(uint32_t p, struct err *err) {
+    return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers", p);
+}
+
+/* The largest displacement asked for: of anchors to their positions, of D to p'. Rounding lets E be
+ * off by 64 u of its terms before the edit, and that is made good too: it counts as asked for. */
+static bool find_asked(const struct decles_editor *e, const struct decles_edit *edit, int k,
+                       double *asked, struct err *err) {
+    const struct decles_sets *s = &e->sets;
+    double largest = 0;
+    *asked = 0;
+    for (size_t i = 0; i < s->anchor_count; i++) {
+        const double *before = e->anchor_before + i * (size_t)k;
+        double moved = distance(edit->anchor[i].to, before, k);
+        if (!isfinite(moved)) return out_of_range(s->anchor[i], err);
+        *asked = fmax(*asked, moved);
+        largest = fmax(largest, magnitude(before, k));
+    }
+    for (size_t i = 0; i < s->derived_count; i++) {
+        size_t at = i * (size_t)k;
+        *asked = fmax(*asked, distance(e->suggested + at, e->before + at, k));
+        largest = fmax(largest, magnitude(e->before + at, k));
+    }
+    *asked += 64 * 0x1p-53 * largest;
+    return true;
+}
+
 static bool check_gain(const struct decles_editor *e, const struct decles_edit *edit, int k,
                        struct decles_report *report, struct err *err) {
     const struct decles_sets *s = &e->sets;
-    double asked = 0, largest = 0;
+    double asked;
     uint32_t point = GRID_NONE;
-    for (size_t i = 0; i < s->anchor_count; i++) {
-        const double *before = e->anchor_before + i * (size_t)k;
-        asked = fmax(asked, distance(edit->anchor[i].to, before, k));
-        largest = fmax(largest, magnitude(before, k));
-    }
-    report->displacement = 0;
+    if (!find_asked(e, edit, k, &asked, err)) return false;
     for (size_t i = 0; i < s->derived_count; i++) {
         size_t at = i * (size_t)k;
         double moved = distance(e->solution + at, e->before + at, k);
-        asked = fmax(asked, distance(e->suggested + at, e->before + at, k));
-        largest = fmax(largest, magnitude(e->before + at, k));
-        if (!isfinite(moved))
-            return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers",
-                           s->derived[i]);
+        if (!isfinite(moved)) return out_of_range(s->derived[i], err);
         if (moved <= report->displacement) continue;
         report->displacement = moved;
         point = s->derived[i];
     }
-    asked += 64 * 0x1p-53 * largest;
     report->gain = report->displacement == 0 ? 0 : report->displacement / asked;
     if (report->gain <= e->max_gain) return true;
-    return err_set(
-        err, ERR_REFUSAL,
-        "point %u would move %.3g times as far as what was asked for (the limit is %.3g)", point,
-        report->gain, e->max_gain);
+    return err_set(err, ERR_REFUSAL,
+                   "point %u would move %.3g times as far as what was asked for (limit %.3g)",
+                   point, report->gain, e->max_gain);
 }
 
 /* Measures E after the update; it must hold as step 0 understands it. */
@@ -203,7 +217,7 @@ static bool check_result(const struct decles_sets *s, const struct decles_values
     report->residual = 0;
     for (size_t r = 0; r < s->condition_count; r++)
         for (int c = 0; c < v->k; c++) {
-            struct c1_value value = c1_evaluate(&s->row[r], v->q + c, v->stride);
+            struct c1_value value = c1_evaluate(&s->row[r], v->q + c, v->stride, s->dust);
             uint64_t edge = s->condition[r] / (uint64_t)s->grid->degree;
             report->residual = fmax(report->residual, c1_relative(value));
             if (c1_holds(value)) continue;

@@ -7,6 +7,7 @@
 #include "decles_rank.h"
 
 #include "dd.h"
+#include "decles_drop.h"
 #include "mem.h"
 
 #include <math.h>
@@ -88,8 +89,8 @@ static bool agrees(const struct sums *s, const struct decles_sets *sets,
         for (int j = 0; j < 4; j++) {
             uint32_t p = row->point[j];
             if (row->coefficient[j] == 0 || sets->role[p] == ROLE_DERIVED) continue;
-            terms += fabs(scaled(y->y[i], shift) * (double)row->coefficient[j] *
-                          fixed[(sets->column[p] - 1) * k + c]);
+            terms += fabs(scaled(y->y[i], shift) * (double)row->coefficient[j]) *
+                     (fabs(fixed[(sets->column[p] - 1) * k + c]) + sets->dust);
         }
     }
     value = (struct c1_value){sum.hi, terms};
@@ -160,7 +161,8 @@ bool decles_check(const struct decles_sets *sets, const struct decles_values *va
                   struct err *err) {
     for (size_t r = 0; r < sets->condition_count; r++)
         for (int c = 0; c < values->k; c++) {
-            struct c1_value value = c1_evaluate(&sets->row[r], values->q + c, values->stride);
+            struct c1_value value =
+                c1_evaluate(&sets->row[r], values->q + c, values->stride, sets->dust);
             uint64_t e = sets->condition[r] / (uint64_t)sets->grid->degree;
             if (c1_holds(value)) continue;
             return err_set(err, ERR_REFUSAL,
@@ -198,14 +200,18 @@ static bool ask(struct growth *more, const struct sums *s, const struct decles_s
     return true;
 }
 
-/* One round: the relations of the present D, and the points they ask for. */
+/* One round: the relations of the present D, which of them are tied to points outside, and the
+ * points they ask for. */
 static bool examine(const struct decles_sets *sets, const struct exact_rows *rows,
-                    const double *fixed, int k, struct growth *more, struct err *err) {
+                    const double *fixed, int k, struct growth *more, bool *tied, struct err *err) {
     struct sums sums;
     bool ok = sums_init(&sums, sets->fixed_count, err);
     for (size_t i = 0; ok && i < rows->relation_count; i++) {
         sums_fill(&sums, sets, &rows->relation[i]);
-        ok = ask(more, &sums, sets, &rows->relation[i], fixed, k, err);
+        tied[i] = false;
+        for (size_t j = 0; j < sums.n; j++)
+            tied[i] = tied[i] || mpz_sgn(sums.of[sums.list[j]]) != 0;
+        ok = !tied[i] || ask(more, &sums, sets, &rows->relation[i], fixed, k, err);
     }
     sums_free(&sums);
     return ok;
@@ -220,27 +226,36 @@ bool decles_rows_init(struct exact_rows *rows, const struct decles_sets *sets, s
     return ok;
 }
 
+/* Examines E as it is now; without growth, settles which conditions are dropped. */
+static bool close_round(const struct decles_sets *sets, const struct decles_edit *edit,
+                        const struct decles_values *values, struct exact_rows *rows,
+                        struct growth *more, struct err *err) {
+    double *fixed = NULL;
+    bool *tied = NULL;
+    bool ok = decles_check(sets, values, err) && decles_rows_init(rows, sets, err) &&
+              decles_fixed_values(sets, edit, values, &fixed, err) &&
+              mem_new(tied, rows->relation_count, err) &&
+              examine(sets, rows, fixed, values->k, more, tied, err) &&
+              (more->n > 0 || decles_drop(rows, sets, values, tied, err));
+    free(fixed);
+    free(tied);
+    return ok;
+}
+
 bool decles_close(struct decles_sets *sets, const struct decles_edit *edit,
                   const struct decles_values *values, struct exact_rows *rows, size_t *added,
                   struct err *err) {
     struct growth more = {NULL, 0, 0};
     size_t start = sets->derived_count;
-    double *fixed = NULL;
     bool ok;
     memset(rows, 0, sizeof *rows);
     do {
         more.n = 0;
         exact_rows_free(rows);
-        memset(rows, 0, sizeof *rows);
-        free(fixed);
-        fixed = NULL;
-        ok = decles_check(sets, values, err) && decles_rows_init(rows, sets, err) &&
-             decles_fixed_values(sets, edit, values, &fixed, err) &&
-             examine(sets, rows, fixed, values->k, &more, err) &&
+        ok = close_round(sets, edit, values, rows, &more, err) &&
              (more.n == 0 || decles_sets_add(sets, more.point, more.n, err));
     } while (ok && more.n > 0);
     *added = sets->derived_count - start;
     free(more.point);
-    free(fixed);
     return ok;
 }

@@ -11,12 +11,13 @@
 #include <string.h>
 
 static bool is_smooth(const struct grid *g, const struct decles_values *v) {
+    double dust = c1_dust(g);
     for (uint32_t e = 0; e < g->edge_count; e++) {
         if (!grid_edge_is_inner(g, e)) continue;
         for (int m = 0; m < g->degree; m++) {
             struct c1_condition condition = c1_condition(g, e, m);
             for (int c = 0; c < v->k; c++)
-                if (!c1_holds(c1_evaluate(&condition, v->q + c, v->stride))) return false;
+                if (!c1_holds(c1_evaluate(&condition, v->q + c, v->stride, dust))) return false;
         }
     }
     return true;

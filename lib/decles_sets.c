@@ -30,6 +30,7 @@ bool decles_sets_init(struct decles_sets *sets, const struct grid *g, bool smoot
     memset(sets, 0, sizeof *sets);
     sets->grid = g;
     sets->smooth = smooth;
+    sets->dust = c1_dust(g);
     return mem_new(sets->pinned, g->point_count, err) && mem_new(sets->role, g->point_count, err) &&
            mem_new(sets->column, g->point_count, err) &&
            mem_new(sets->ring_done, g->vertex_count, err) &&

@@ -15,6 +15,7 @@ enum decles_role { ROLE_NONE, ROLE_ANCHOR, ROLE_DERIVED };
 
 struct decles_sets {
     const struct grid *grid;
+    double dust;   /* c1_dust */
     bool smooth;   /* continuity 1: the types of A and S matter, and there are conditions */
     bool *pinned;  /* of each point; the caller's to set */
     uint8_t *role; /* of each point */

@@ -218,11 +218,11 @@ static void residual(void **state) {
         c1_residual(&g, q, 2, &absolute, &relative, &edge);
         assert_int_equal(edge, e);
         assert_true(absolute > 0.1 && absolute <= 0.5 && relative > 1e-3);
-        assert_false(c1_holds(c1_evaluate(&c, q, 2)));
+        assert_false(c1_holds(c1_evaluate(&c, q, 2, c1_dust(&g))));
         q[2 * c.point[0]] = (double)NAN;
         c1_residual(&g, q, 2, &absolute, &relative, &edge);
         assert_true(edge == e && isnan(absolute) && isnan(relative));
-        assert_false(c1_holds(c1_evaluate(&c, q, 2)));
+        assert_false(c1_holds(c1_evaluate(&c, q, 2, c1_dust(&g))));
         grid_nominal(&g, c.point[0], q + 2 * c.point[0]);
     }
     free(q);
@@ -236,6 +236,9 @@ static void tolerance(void **state) {
     assert_false(c1_holds((struct c1_value){65 * 0x1p-53, 1}));
     assert_true(c1_relative((struct c1_value){0, 0}) == 0);
     assert_true(c1_relative((struct c1_value){-1, 4}) == 0.25);
+    struct c1_condition c = {{0, 1, 2, 3}, {-1, -1, 1, 1}};
+    struct c1_value v = c1_evaluate(&c, (double[]){1, 2, 4, 8}, 1, 0.5);
+    assert_true(v.sum == 9 && v.terms == 17);
 }
 
 int main(void) {

@@ -167,7 +167,8 @@ struct random_edit {
 };
 
 static struct decles_motion random_motion(const struct editing *s, uint64_t *random, int k) {
-    struct decles_motion m = {.kind = k == 1 ? DECLES_TRANSLATE : random_in(random, 0, 2)};
+    struct decles_motion m = {.kind = k == 1 ? DECLES_TRANSLATE
+                                             : (enum decles_kind)random_in(random, 0, 2)};
     for (int c = 0; c < 2; c++) {
         m.by[c] = (random_unit(random) - 0.5) * s->magnitude * 0.1;
         m.centre[c] = (random_unit(random) - 0.5) * s->magnitude;
@@ -281,6 +282,95 @@ static void many_edits(void **state) {
     }
 }
 
+/* Where every inner vertex of every second row is singular, ring 2 has relations of its own, tied
+ * to the roundings of ring 1. The dropped condition must not gather them. */
+static void singular_grids_stay_c1(void **state) {
+    (void)state;
+    for (int run = 0, n = test_count(10); run < n; run++) {
+        uint64_t seed = 4000 + (uint64_t)run, random = seed;
+        struct recipe recipe = {
+            .nx = 3, .ny = 2, .spacing = 1000, .crossed = true, .components = 1};
+        int64_t a = random_in(&random, 1, 20), b = random_in(&random, 0, 30),
+                d = random_in(&random, 1, 20);
+        struct err err = {0};
+        struct grid g;
+        struct editing s;
+        struct random_edit r;
+        double worst = 0;
+        triangulate(&g, &recipe, 5 + run % 2, seed);
+        for (uint32_t v = 0; v < g.vertex_count; v++) { /* an affine map keeps them singular */
+            int64_t x = g.vertex[v][0], y = g.vertex[v][1];
+            g.vertex[v][0] = (int32_t)(a * x + b * y);
+            g.vertex[v][1] = (int32_t)(d * y);
+        }
+        check_seed(seed, grid_build(&g, &err));
+        editing_begin(&s, &g, 1, 100, seed);
+        for (int i = 0; i < 300; i++) {
+            fill_edit(&r, &s, &random, 2, (size_t)random_in(&random, 1, 2));
+            if (editing_apply(&s, &r.edit, 2))
+                worst = fmax(worst, s.report.residual);
+            else
+                check_seed(seed, is_honest(&s));
+        }
+        editing_check_c1(&s);
+        check_seed(seed, worst <= 8 * 0x1p-53);
+        editing_end(&s);
+    }
+}
+
+/* Heights are often 0 over wide parts, and forced to stay so: what the solver leaves there must not
+ * count as broken later. */
+static void flat_heights(void **state) {
+    (void)state;
+    for (int run = 0, n = test_count(20); run < n; run++) {
+        uint64_t seed = 4500 + (uint64_t)run, random = seed;
+        struct grid g;
+        struct editing s;
+        struct random_edit r;
+        random_grid(&g, 4, 5 + run % 3, seed);
+        editing_begin(&s, &g, 1, 1000, seed);
+        memset(s.q, 0, s.g.point_count * 2 * sizeof *s.q);
+        for (uint32_t p = 0; p < s.g.point_count; p++)
+            if (random_in(&random, 0, 20) == 0) decles_pin(s.editor, p, true);
+        for (int i = 0; i < 100; i++) {
+            fill_edit(&r, &s, &random, 1, (size_t)random_in(&random, 1, 3));
+            if (!editing_apply(&s, &r.edit, 1))
+                check_seed(seed, is_honest(&s) || strstr(s.err.message, "is pinned"));
+        }
+        editing_check_c1(&s);
+        editing_end(&s);
+    }
+}
+
+/* Continuity 0: D = S, and each goes exactly where it is suggested to. */
+static void without_continuity(void **state) {
+    (void)state;
+    for (int run = 0, n = test_count(20); run < n; run++) {
+        uint64_t seed = 4700 + (uint64_t)run, random = seed;
+        struct grid g;
+        struct editing s;
+        struct random_edit r;
+        random_grid(&g, 4, 1 + run % 8, seed);
+        if (g.point_count < 60) {
+            grid_free(&g);
+            continue;
+        }
+        editing_begin(&s, &g, 0, 100, seed);
+        for (int i = 0; i < 10; i++) {
+            int k = 1 + i % 2;
+            fill_edit(&r, &s, &random, k, 2);
+            check_seed(seed, editing_apply(&s, &r.edit, k));
+            check_seed(seed, s.report.conditions == 0 && s.report.derived == s.report.slaves);
+            check_seed(seed, s.report.derived == r.edit.slave_count + r.edit.wish_count);
+            for (size_t j = 0; j < s.report.derived; j++)
+                check_seed(seed, memcmp(s.q + 2 * s.report.derived_point[j],
+                                        s.report.suggested + j * (size_t)k,
+                                        (size_t)k * sizeof *s.q) == 0);
+        }
+        editing_end(&s);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(counts_at_an_inner_vertex),
@@ -288,6 +378,9 @@ int main(void) {
         cmocka_unit_test(every_point_as_anchor),
         cmocka_unit_test(solution_is_the_least_one),
         cmocka_unit_test(many_edits),
+        cmocka_unit_test(singular_grids_stay_c1),
+        cmocka_unit_test(flat_heights),
+        cmocka_unit_test(without_continuity),
     };
     return cmocka_run_group_tests_name("decles", tests, NULL, NULL);
 }
