@@ -69,7 +69,8 @@ static void print_help(const struct cli_program *program) {
 static void describe(const struct cli_program *program, struct option *longs, char *shorts) {
     int n = option_count(program) + (int)(sizeof common / sizeof *common);
     INVARIANT(n < OPTIONS_MAX);
-    *shorts++ = ':'; /* report a missing argument apart */
+    if (program->numbers_are_operands) *shorts++ = '+'; /* stop at the first operand */
+    *shorts++ = ':';                                    /* report a missing argument apart */
     for (int i = 0; i < n; i++) {
         const struct cli_option *o = option_at(program, i);
         int has = is_optional(o) ? optional_argument : o->arg ? required_argument : no_argument;
@@ -106,18 +107,32 @@ static bool bad_option(const struct cli *cli, int got, struct err *err) {
     return usage_error(cli, err, what, is_letter ? letter : cli->argv[optind - 1]);
 }
 
+/* Is the next word a negative number, where that is an operand? */
+static bool at_number(const struct cli *cli) {
+    int at = optind ? optind : 1; /* 0: getopt has not begun */
+    const char *word = at < cli->argc ? cli->argv[at] : "", *next;
+    double x;
+    if (!cli->program->numbers_are_operands || word[0] != '-') return false;
+    if (num_read(word, word + strlen(word), &x, &next) != NUM_OK) return false;
+    optind = at;
+    return true;
+}
+
+static int end_of_options(struct cli *cli) {
+    cli->operands = cli->argv + optind;
+    cli->operand_count = cli->argc - optind;
+    return CLI_END;
+}
+
 int cli_next(struct cli *cli, struct err *err) {
     struct option longs[OPTIONS_MAX];
-    char shorts[2 * OPTIONS_MAX];
+    char shorts[2 * OPTIONS_MAX + 3];
     int got;
     opterr = 0;
     describe(cli->program, longs, shorts);
+    if (at_number(cli)) return end_of_options(cli);
     got = getopt_long(cli->argc, cli->argv, shorts, longs, NULL);
-    if (got == -1) {
-        cli->operands = cli->argv + optind;
-        cli->operand_count = cli->argc - optind;
-        return CLI_END;
-    }
+    if (got == -1) return end_of_options(cli);
     if (got == '?' || got == ':') {
         bad_option(cli, got, err);
         return CLI_STOP;

@@ -32,6 +32,7 @@ struct cli_program {
     const char *name, *synopsis;      /* synopsis without the program's name */
     const struct cli_option *options; /* --help and --version are added */
     const char *epilogue;             /* last lines of --help: two pipelines that work */
+    bool numbers_are_operands;        /* so "-0.5" is one; all options come before the operands */
 };
 
 struct cli {

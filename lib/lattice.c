@@ -10,31 +10,9 @@
  */
 #include "lattice.h"
 
-#include <gmp.h>
-#include <math.h>
-#include <mpfr.h>
+#include "rational.h"
 
-/* Rounds v to odd at 64 bits first: rounding again, to 53 bits or to a subnormal, is then the same
- * as rounding once. */
-static double round_rational(const mpq_t v) {
-    mpfr_t x;
-    double result;
-    mpfr_init2(x, 64);
-    if (mpfr_set_q(x, v, MPFR_RNDZ) != 0) {
-        mpfr_t odd;
-        mpfr_init2(odd, 65);
-        mpfr_set(odd, x, MPFR_RNDN);
-        if (mpfr_sgn(x) > 0) /* one bit more than x has: always odd */
-            mpfr_nextabove(odd);
-        else
-            mpfr_nextbelow(odd);
-        mpfr_swap(x, odd);
-        mpfr_clear(odd);
-    }
-    result = mpfr_zero_p(x) ? 0.0 : mpfr_get_d(x, MPFR_RNDN);
-    mpfr_clear(x);
-    return result;
-}
+#include <math.h>
 
 static double by_rationals(double origin, double step, int64_t n, int d) {
     mpq_t v, o;
@@ -46,7 +24,7 @@ static double by_rationals(double origin, double step, int64_t n, int d) {
     mpq_mul(v, v, o);
     mpq_set_d(o, origin);
     mpq_add(v, v, o);
-    result = round_rational(v);
+    result = rational_round(v);
     mpq_clears(v, o, NULL);
     return result;
 }

@@ -27,13 +27,15 @@ static const struct cli_option options[] = {
 };
 
 static const struct cli_program program = {
-    "decles-edit",
-    "[OPTION]... EDITS [GRID] | -e STATEMENT... [OPTION]... [GRID]",
-    options,
-    "examples:\n"
-    "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -e 'move @4,2 by 1 0.5 reach 6' >a.grid\n"
-    "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -n -e 'rotate v:22 about 4 2 by 30 within "
-    "2'\n",
+    .name = "decles-edit",
+    .synopsis = "[OPTION]... EDITS [GRID] | -e STATEMENT... [OPTION]... [GRID]",
+    .options = options,
+    .epilogue = "examples:\n"
+                "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -e 'move @4,2 by 1 0.5 reach 6' "
+                ">a.grid\n"
+                "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -n -e 'rotate v:22 about 4 2 by "
+                "30 within "
+                "2'\n",
 };
 
 struct settings {

@@ -18,12 +18,12 @@ static const struct cli_option options[] = {
 };
 
 static const struct cli_program program = {
-    "list-points",
-    "[OPTION]... [POINTS]... [GRID]",
-    options,
-    "examples:\n"
-    "  mkgrid --rect 0,0,8,4 --cells 8x4 | list-points --type corner\n"
-    "  mkgrid --rect 0,0,8,4 --cells 8x4 | list-points @4,2 v:3 | cut -d ' ' -f 1,2\n",
+    .name = "list-points",
+    .synopsis = "[OPTION]... [POINTS]... [GRID]",
+    .options = options,
+    .epilogue = "examples:\n"
+                "  mkgrid --rect 0,0,8,4 --cells 8x4 | list-points --type corner\n"
+                "  mkgrid --rect 0,0,8,4 --cells 8x4 | list-points @4,2 v:3 | cut -d ' ' -f 1,2\n",
 };
 
 struct settings {

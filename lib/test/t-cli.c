@@ -21,8 +21,10 @@ static const struct cli_option options[] = {
     {'o', "output", "FILE", "write to FILE"},
     {0},
 };
-static const struct cli_program program = {"prog", "[OPTION]... [A] [B]", options,
-                                           "examples:\n  prog a\n  prog b\n"};
+static const struct cli_program program = {.name = "prog",
+                                           .synopsis = "[OPTION]... [A] [B]",
+                                           .options = options,
+                                           .epilogue = "examples:\n  prog a\n  prog b\n"};
 static const char *const patterns[] = {"diagonal", "cross", "hex", NULL};
 
 /* Splits a line at blanks into a command line of the program; '_' stands for a blank in a word. */

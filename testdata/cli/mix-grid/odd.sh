@@ -1,0 +1,1 @@
+mix-grid 1 a.grid 2

@@ -1,0 +1,1 @@
+mix-grid 1 - 1 - </dev/null

@@ -1,0 +1,1 @@
+refine-grid --box 1,0,0,1 </dev/null

@@ -1,0 +1,1 @@
+refine-grid --degree 6 --times 2 </dev/null

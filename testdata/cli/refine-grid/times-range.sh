@@ -1,0 +1,1 @@
+refine-grid --times 25 </dev/null

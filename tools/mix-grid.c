@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* mix-grid - linear combinations of deformations on one domain. */
+#include "cli.h"
+#include "grid_io.h"
+#include "mem.h"
+#include "mix.h"
+#include "num.h"
+
+#include <string.h>
+
+enum { KEY_DIGITS = 256 };
+
+static const struct cli_option options[] = {
+    {KEY_DIGITS, "digits", "N", "significant digits, 1 to 17 (default: shortest exact)"},
+    {'o', "output", "FILE", "write there instead of to stdout"},
+    {0},
+};
+
+static const struct cli_program program = {
+    .name = "mix-grid",
+    .synopsis = "[-o FILE] W GRID [W GRID]...",
+    .options = options,
+    .epilogue =
+        "Weights may be negative; those of a blend add up to 1. Options come first.\n"
+        "examples:\n"
+        "  mkgrid --rect 0,0,8,4 --cells 8x4 | mix-grid 0.5 - >half.grid\n"
+        "  mkgrid --rect 0,0,8,4 --cells 8x4 >a.grid; mix-grid 2 a.grid -1 a.grid >b.grid\n",
+    .numbers_are_operands = true,
+};
+
+struct settings {
+    size_t count;
+    double *weight;
+    const char **path;
+    int digits;
+    const char *output;
+};
+
+static bool parse_options(struct cli *cli, struct settings *set, struct err *err) {
+    int key;
+    while ((key = cli_next(cli, err)) >= 0) {
+        int64_t n;
+        if (key == 'o') {
+            set->output = cli->value;
+        } else {
+            if (!cli_int(cli, 1, 17, &n, err)) return false;
+            set->digits = (int)n;
+        }
+    }
+    return key != CLI_STOP;
+}
+
+static bool parse(struct cli *cli, struct settings *set, struct err *err) {
+    int standard = 0;
+    if (!parse_options(cli, set, err)) return false;
+    set->count = (size_t)cli->operand_count / 2;
+    if (cli->operand_count < 2 || cli->operand_count % 2 != 0)
+        return err_set(err, ERR_USAGE,
+                       "expected pairs of a weight and a grid; try mix-grid --help");
+    if (!mem_new(set->weight, set->count, err) || !mem_new(set->path, set->count, err))
+        return false;
+    for (size_t i = 0; i < set->count; i++) {
+        const char *w = cli->operands[2 * i], *end = w + strlen(w), *next = w;
+        if (num_read(w, end, &set->weight[i], &next) != NUM_OK || next != end)
+            return err_set(err, ERR_USAGE, "expected a weight, got '%s'; try mix-grid --help", w);
+        set->path[i] = cli->operands[2 * i + 1];
+        standard += strcmp(set->path[i], "-") == 0;
+    }
+    return standard <= 1 || err_set(err, ERR_USAGE, "two inputs from stdin; try mix-grid --help");
+}
+
+static bool read_all(const struct settings *set, struct grid_file *file, struct spline *spline,
+                     struct err *err) {
+    for (size_t i = 0; i < set->count; i++) {
+        if (!grid_read(&file[i], set->path[i], err)) return false;
+        spline[i] = file[i].spline; /* borrowed */
+    }
+    return true;
+}
+
+static bool mix(const struct settings *set, struct grid_file *file, struct spline *result,
+                struct err *err) {
+    struct spline *spline = NULL;
+    size_t culprit = 0;
+    bool ok = mem_new(spline, set->count, err) && read_all(set, file, spline, err);
+    if (ok && !mix_splines(set->count, set->weight, spline, result, &culprit, err)) {
+        if (culprit) err_place(err, set->path[culprit], 0, 0);
+        ok = false;
+    }
+    free(spline);
+    return ok;
+}
+
+static bool run(const struct cli *cli, const struct settings *set, struct err *err) {
+    struct grid_file *file = NULL, result = {0};
+    struct out out = {0};
+    char *history = cli_history(cli, err);
+    bool ok = history && mem_new(file, set->count, err) && mix(set, file, &result.spline, err) &&
+              out_open(&out, set->output, err);
+    if (ok) {
+        result.history = file[0].history;
+        file[0].history = NULL;
+        grid_write(&out, &result, history, set->digits);
+        ok = out_close(&out, err);
+    }
+    for (size_t i = 0; file && i < set->count; i++) grid_file_free(&file[i]);
+    free(file);
+    grid_file_free(&result);
+    free(history);
+    return ok;
+}
+
+int main(int argc, char **argv) {
+    struct err err = {0};
+    struct cli cli;
+    struct settings set = {0};
+    cli_init(&cli, &program, argc, argv);
+    if (parse(&cli, &set, &err)) run(&cli, &set, &err);
+    free(set.weight);
+    free(set.path);
+    return cli_finish(&cli, &err);
+}
