@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rectangle of cells covers the dilated projection, with a ring of cells to spare around it. Its
- * lattice point (0,0) is the low corner inside the ring. The model is painted on the cells, the
+/* A rectangle of cells covers the dilated projection, with a ring of cells to spare around it. The
+ * lattice's origin is where cells begin inside the ring, so vertices have no negative coordinates.
+ * The model is painted on the cells, the
  * painted cells become the grid, and the locator finds every vertex in it, by exact predicates. */
 #include "surround.h"
 
@@ -15,9 +16,10 @@ struct frame {
     int axes[3];
     double low[3], high[3]; /* of the model, in the grid's axes */
     double margin, cell;    /* world */
-    double step, origin[2]; /* lattice point (0,0) is the low corner inside the ring */
-    int32_t side[2];        /* of a cell and height of a row in steps */
-    uint32_t cells[2];      /* with the ring */
+    double step, origin[2];
+    int32_t side[2];   /* of a cell and height of a row in steps */
+    int32_t first[2];  /* lines of the pattern */
+    uint32_t cells[2]; /* with the ring */
 };
 
 struct canvas {
@@ -85,8 +87,10 @@ static bool choose_lattice(struct frame *f, const struct surround *how, double s
     if (how->kind == PATTERN_HEX) f->side[1] = (13 * f->side[0] + 7) / 15;
     for (int c = 0; c < 2; c++) {
         double n = fmax(1, ceil(steps[c] / f->side[c])), spare = n * f->side[c] - steps[c];
+        bool overlaps = how->kind == PATTERN_HEX && c == 0; /* by half a cell, to both sides */
         f->cells[c] = (uint32_t)n + 2;
-        f->origin[c] = (low[c] - floor(spare / 2)) * f->step + 0.0;
+        f->first[c] = -f->side[c] + (overlaps ? f->side[c] / 2 : 0);
+        f->origin[c] = (low[c] - floor(spare / 2) - f->side[c] - f->first[c]) * f->step + 0.0;
     }
     f->cell = f->side[0] * f->step;
     return true;
@@ -177,12 +181,9 @@ static bool triangulate(struct grid *g, const struct frame *f, const struct patt
 
 static bool make_pattern(struct pattern *pattern, const struct frame *f, enum pattern_kind kind,
                          struct err *err) {
-    int32_t low[2], high[2];
-    for (int c = 0; c < 2; c++) {
-        low[c] = -f->side[c];
-        high[c] = low[c] + (int32_t)f->cells[c] * f->side[c];
-    }
-    return pattern_init(pattern, kind, f->cells, low, high, err);
+    int32_t last[2];
+    for (int c = 0; c < 2; c++) last[c] = f->first[c] + (int32_t)f->cells[c] * f->side[c];
+    return pattern_init(pattern, kind, f->cells, f->first, last, err);
 }
 
 static bool check_inside(const struct grid *g, const struct frame *f, struct err *err) {
