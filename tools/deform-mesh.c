@@ -22,11 +22,11 @@ static const struct cli_program program = {
     .name = "deform-mesh",
     .synopsis = "[OPTION]... MODEL [GRID]",
     .options = options,
-    .epilogue = "examples:\n"
-                "  mkgrid --model worm.obj --plane zy | decles-edit bend.edits | deform-mesh "
-                "worm.obj >bent.obj\n"
-                "  decles-edit -e 'raise top @0,0 by .1 reach 4' worm.grid | deform-mesh worm.obj "
-                "-o raised.obj\n",
+    .epilogue =
+        "examples:\n"
+        "  mkgrid --model worm.obj --plane zy | deform-mesh worm.obj >same.obj\n"
+        "  mkgrid --model worm.obj --plane zy | decles-edit -e 'rotate all about 0 0 by 90' | "
+        "deform-mesh worm.obj -o turned.obj\n",
 };
 
 struct settings {
