@@ -10,8 +10,9 @@
  *   7    update                 here
  *
  * Step 7 writes A and D, then judges what it wrote: gain, and every condition of E within the very
- * tolerance of step 0. Conditions outside E have none of their points changed, so a spline that
- * passes step 0 everywhere does so after any number of edits. What fails is taken back bit by bit.
+ * tolerance of step 0 (c1_holds). Conditions outside E have none of their points changed, so a
+ * spline that passes step 0 everywhere does so after any number of edits. What fails is taken back
+ * bit by bit.
  */
 #include "decles.h"
 
@@ -97,6 +98,27 @@ static bool make_room(struct decles_editor *e, size_t k, struct err *err) {
     return true;
 }
 
+static bool is_finite(const double *a, int k) {
+    return isfinite(a[0]) && (k == 1 || isfinite(a[1]));
+}
+
+static bool out_of_range(uint32_t p, struct err *err) {
+    return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers", p);
+}
+
+static bool check_anchors(const struct decles_edit *edit, int k, struct err *err) {
+    for (size_t i = 0; i < edit->anchor_count; i++)
+        if (!is_finite(edit->anchor[i].to, k)) return out_of_range(edit->anchor[i].point, err);
+    return true;
+}
+
+static bool check_suggested(const struct decles_editor *e, int k, struct err *err) {
+    for (size_t i = 0; i < e->sets.derived_count; i++)
+        if (!is_finite(e->suggested + i * (size_t)k, k))
+            return out_of_range(e->sets.derived[i], err);
+    return true;
+}
+
 /* Steps 0 to 6: fills the suggestions and the solution. */
 static bool solve(struct decles_editor *e, const struct decles_values *values,
                   const struct decles_edit *edit, struct decles_report *report, struct err *err) {
@@ -104,10 +126,11 @@ static bool solve(struct decles_editor *e, const struct decles_values *values,
     struct clsq_report solved = {0};
     struct decles_targets targets = {.k = values->k};
     double *fixed = NULL;
-    bool ok = decles_sets_begin(&e->sets, edit, err) &&
+    bool ok = decles_sets_begin(&e->sets, edit, err) && check_anchors(edit, values->k, err) &&
               decles_close(&e->sets, edit, values, &rows, &report->added, err) &&
               make_room(e, (size_t)values->k, err) &&
               decles_suggest(&e->suggester, &e->sets, edit, values, e->suggested, err) &&
+              check_suggested(e, values->k, err) &&
               decles_fixed_values(&e->sets, edit, values, &fixed, err);
     if (ok) {
         targets.suggested = e->suggested;
@@ -154,57 +177,50 @@ static void take_back(struct decles_editor *e, const struct decles_values *v) {
     scatter(v, e->sets.derived, e->sets.derived_count, e->before);
 }
 
-static double distance(const double *a, const double *b, int k) {
-    double dx = a[0] - b[0], dy = k > 1 ? a[1] - b[1] : 0;
-    return k > 1 ? sqrt(dx * dx + dy * dy) : fabs(dx);
+/* Half the distance: finite for all finite a and b. */
+static double half_distance(const double *a, const double *b, int k) {
+    double dx = fabs(0.5 * a[0] - 0.5 * b[0]), dy = k > 1 ? fabs(0.5 * a[1] - 0.5 * b[1]) : 0;
+    double large = fmax(dx, dy), small = fmin(dx, dy) / large;
+    return small > 0 ? large * sqrt(1 + small * small) : large;
 }
 
 static double magnitude(const double *a, int k) {
     return k > 1 ? fmax(fabs(a[0]), fabs(a[1])) : fabs(a[0]);
 }
 
-static bool out_of_range(uint32_t p, struct err *err) {
-    return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers", p);
-}
-
-/* The largest displacement asked for: of anchors to their positions, of D to p'. Rounding lets E be
- * off by 64 u of its terms before the edit, and that is made good too: it counts as asked for. */
-static bool find_asked(const struct decles_editor *e, const struct decles_edit *edit, int k,
-                       double *asked, struct err *err) {
+/* Half the largest displacement asked for: of anchors to their positions, of D to p'. Rounding lets
+ * E be off by 64 u of its terms before the edit, and that is made good too: it counts as asked for.
+ */
+static double find_asked(const struct decles_editor *e, const struct decles_edit *edit, int k) {
     const struct decles_sets *s = &e->sets;
-    double largest = 0;
-    *asked = 0;
+    double asked = 0, largest = 0;
     for (size_t i = 0; i < s->anchor_count; i++) {
         const double *before = e->anchor_before + i * (size_t)k;
-        double moved = distance(edit->anchor[i].to, before, k);
-        if (!isfinite(moved)) return out_of_range(s->anchor[i], err);
-        *asked = fmax(*asked, moved);
+        asked = fmax(asked, half_distance(edit->anchor[i].to, before, k));
         largest = fmax(largest, magnitude(before, k));
     }
     for (size_t i = 0; i < s->derived_count; i++) {
         size_t at = i * (size_t)k;
-        *asked = fmax(*asked, distance(e->suggested + at, e->before + at, k));
+        asked = fmax(asked, half_distance(e->suggested + at, e->before + at, k));
         largest = fmax(largest, magnitude(e->before + at, k));
     }
-    *asked += 64 * 0x1p-53 * largest;
-    return true;
+    return asked + 32 * 0x1p-53 * largest;
 }
 
 static bool check_gain(const struct decles_editor *e, const struct decles_edit *edit, int k,
                        struct decles_report *report, struct err *err) {
     const struct decles_sets *s = &e->sets;
-    double asked;
+    double asked = find_asked(e, edit, k), half = 0;
     uint32_t point = GRID_NONE;
-    if (!find_asked(e, edit, k, &asked, err)) return false;
     for (size_t i = 0; i < s->derived_count; i++) {
-        size_t at = i * (size_t)k;
-        double moved = distance(e->solution + at, e->before + at, k);
-        if (!isfinite(moved)) return out_of_range(s->derived[i], err);
-        if (moved <= report->displacement) continue;
-        report->displacement = moved;
+        const double *to = e->solution + i * (size_t)k;
+        double moved = half_distance(to, e->before + i * (size_t)k, k);
+        if (moved <= half) continue;
+        half = moved;
         point = s->derived[i];
     }
-    report->gain = report->displacement == 0 ? 0 : report->displacement / asked;
+    report->displacement = 2 * half;
+    report->gain = half == 0 ? 0 : half / asked;
     if (report->gain <= e->max_gain) return true;
     return err_set(err, ERR_REFUSAL,
                    "point %u would move %.3g times as far as what was asked for (limit %.3g)",

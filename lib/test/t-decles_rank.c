@@ -6,6 +6,7 @@
 #include "editing.h"
 #include "triangulations.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -329,17 +330,46 @@ static void refused_at_once(void **state) {
     assert_int_equal(s.err.kind, ERR_INPUT);
     assert_string_equal(s.err.message, "point 3 is an anchor twice");
     assert_true(editing_move(&s, 3, 1, 1)); /* the marks were taken away */
-    b.edit.anchor_count = 1;
-    b.anchor[0].to[0] = INFINITY;
-    assert_false(editing_apply(&s, &b.edit, 2));
     editing_end(&s);
+}
+
+/* Beyond the largest double: an anchor, a suggested position, the conditions' own sums. */
+static void huge_numbers(void **state) {
+    (void)state;
+    for (int continuity = 0; continuity <= 1; continuity++) {
+        struct grid g;
+        struct editing s;
+        struct group b;
+        random_grid(&g, 2, 5, 1);
+        editing_begin(&s, &g, continuity, 100, 1);
+        fill_group(&b, &s, (uint32_t[]){0}, 1);
+        b.anchor[0].to[0] = INFINITY;
+        assert_false(editing_apply(&s, &b.edit, 2));
+        assert_string_equal(s.err.message, "point 0 would leave the range of numbers");
+        fill_group(&b, &s, (uint32_t[]){0}, 1);
+        b.edit.slave_count = 1;
+        b.edit.slave = (uint32_t[]){1};
+        b.motion.kind = DECLES_SCALE;
+        b.motion.factor = DBL_MAX;
+        b.motion.centre[0] = b.motion.centre[1] = -DBL_MAX;
+        assert_false(editing_apply(&s, &b.edit, 2));
+        assert_non_null(strstr(s.err.message, "would leave the range of numbers"));
+        fill_group(&b, &s, (uint32_t[]){0}, 1);
+        b.anchor[0].to[0] = DBL_MAX;
+        assert_true(editing_apply(&s, &b.edit, 2) == (continuity == 0));
+        editing_end(&s);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(feasible_as_with_all_points), cmocka_unit_test(rigid_groups),
-        cmocka_unit_test(conflict_is_named),           cmocka_unit_test(broken_input),
-        cmocka_unit_test(near_singular_vertex),        cmocka_unit_test(refused_at_once),
+        cmocka_unit_test(feasible_as_with_all_points),
+        cmocka_unit_test(rigid_groups),
+        cmocka_unit_test(conflict_is_named),
+        cmocka_unit_test(broken_input),
+        cmocka_unit_test(near_singular_vertex),
+        cmocka_unit_test(refused_at_once),
+        cmocka_unit_test(huge_numbers),
     };
     return cmocka_run_group_tests_name("decles_rank", tests, NULL, NULL);
 }
