@@ -233,8 +233,10 @@ static bool number(struct decles_sets *s) {
         !mem_grow(s->fixed, &s->cap_fixed, 4 * s->condition_count, s->err))
         return false;
     forget_fixed(s);
-    qsort(s->derived, s->derived_count, sizeof *s->derived, compare_points);
-    qsort(s->condition, s->condition_count, sizeof *s->condition, compare_numbers);
+    if (s->derived_count > 1)
+        qsort(s->derived, s->derived_count, sizeof *s->derived, compare_points);
+    if (s->condition_count > 1)
+        qsort(s->condition, s->condition_count, sizeof *s->condition, compare_numbers);
     for (size_t i = 0; i < s->derived_count; i++) s->column[s->derived[i]] = (uint32_t)i + 1;
     for (size_t r = 0; r < s->condition_count; r++) {
         uint64_t n = s->condition[r];

@@ -126,7 +126,8 @@ static bool find_nearest(struct decles_suggester *s, const struct decles_sets *s
             if (!copy_nearest(s, i, neighbour[j], err)) return false;
     }
     list = s->nearest + first;
-    qsort(list, s->nearest_count - first, sizeof *list, compare_indices);
+    if (s->nearest_count - first > 1)
+        qsort(list, s->nearest_count - first, sizeof *list, compare_indices);
     for (size_t j = 0; j < s->nearest_count - first; j++)
         if (count == 0 || list[j] != list[count - 1]) list[count++] = list[j];
     s->nearest_count = first + count;
