@@ -11,9 +11,11 @@ bool decles_solve(const struct decles_sets *sets, const struct exact_rows *rows,
                                    .weight = targets->weight,
                                    .target = targets->suggested,
                                    .fixed = targets->fixed};
-    bool ok = decles_matrix_init(&a, sets, true, rows->independent, err) &&
-              decles_matrix_init(&f, sets, false, rows->independent, err) &&
-              clsq_solve(&problem, x, report, err);
+    bool ok;
+    if (sets->derived_count == 0) return true;
+    ok = decles_matrix_init(&a, sets, true, rows->independent, err) &&
+         decles_matrix_init(&f, sets, false, rows->independent, err) &&
+         clsq_solve(&problem, x, report, err);
     decles_matrix_free(&a);
     decles_matrix_free(&f);
     return ok;
