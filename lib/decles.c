@@ -29,6 +29,7 @@ struct decles_editor {
     struct decles_sets sets;
     struct decles_suggester suggester;
     double *weight; /* of each point; 0 stands for 1 */
+    bool weighted;  /* there are others: else do not even look, the array is large */
     double max_gain;
     /* lists, k columns each (but weights) */
     double *suggested, *before, *solution, *anchor_before, *weights;
@@ -69,17 +70,18 @@ void decles_free(struct decles_editor *e) {
 
 void decles_pin(struct decles_editor *e, uint32_t p, bool pinned) {
     INVARIANT(p < e->sets.grid->point_count);
-    e->sets.pinned[p] = pinned;
+    e->sets.mark[p].pinned = pinned;
 }
 
 bool decles_is_pinned(const struct decles_editor *e, uint32_t p) {
     INVARIANT(p < e->sets.grid->point_count);
-    return e->sets.pinned[p];
+    return e->sets.mark[p].pinned;
 }
 
 void decles_weigh(struct decles_editor *e, uint32_t p, double weight) {
     INVARIANT(p < e->sets.grid->point_count && weight > 0);
     e->weight[p] = weight;
+    e->weighted = true;
 }
 
 /* Makes room for D and A, and collects the weights of D. */
@@ -92,7 +94,7 @@ static bool make_room(struct decles_editor *e, size_t k, struct err *err) {
         !mem_grow(e->anchor_before, &e->cap_anchor_before, e->sets.anchor_count * k, err))
         return false;
     for (size_t i = 0; i < n; i++) {
-        double w = e->weight[e->sets.derived[i]];
+        double w = e->weighted ? e->weight[e->sets.derived[i]] : 0;
         e->weights[i] = w == 0 ? 1 : w;
     }
     return true;

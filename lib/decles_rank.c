@@ -52,8 +52,9 @@ static void sums_fill(struct sums *s, const struct decles_sets *sets,
     for (size_t i = 0; i < y->n; i++) {
         const struct c1_condition *row = &sets->row[y->row[i]];
         for (int j = 0; j < 4; j++) {
-            uint32_t column = sets->column[row->point[j]] - 1;
-            if (row->coefficient[j] == 0 || sets->role[row->point[j]] == ROLE_DERIVED) continue;
+            uint32_t column = sets->mark[row->point[j]].column - 1;
+            if (row->coefficient[j] == 0 || sets->mark[row->point[j]].role == ROLE_DERIVED)
+                continue;
             if (!s->is_listed[column]) s->list[s->n++] = column;
             s->is_listed[column] = true;
             mpz_set_d(s->coefficient, (double)row->coefficient[j]); /* exact: below 2^53 */
@@ -88,9 +89,9 @@ static bool agrees(const struct sums *s, const struct decles_sets *sets,
         const struct c1_condition *row = &sets->row[y->row[i]];
         for (int j = 0; j < 4; j++) {
             uint32_t p = row->point[j];
-            if (row->coefficient[j] == 0 || sets->role[p] == ROLE_DERIVED) continue;
+            if (row->coefficient[j] == 0 || sets->mark[p].role == ROLE_DERIVED) continue;
             terms += fabs(scaled(y->y[i], shift) * (double)row->coefficient[j]) *
-                     (fabs(fixed[(sets->column[p] - 1) * k + c]) + sets->dust);
+                     (fabs(fixed[(sets->mark[p].column - 1) * k + c]) + sets->dust);
         }
     }
     value = (struct c1_value){sum.hi, terms};
@@ -122,7 +123,7 @@ static size_t append_points(struct text *t, const struct sums *s, const struct d
     for (size_t i = 0; i < s->n; i++) {
         uint32_t p = sets->fixed[s->list[i]];
         if (mpz_sgn(s->of[s->list[i]]) == 0) continue;
-        if (anchors ? sets->role[p] != ROLE_ANCHOR : !sets->pinned[p]) continue;
+        if (anchors ? sets->mark[p].role != ROLE_ANCHOR : !sets->mark[p].pinned) continue;
         if (n < NAMED_MAX) append(t, "%s%u", n == 0 ? title : ", ", p);
         n++;
     }
@@ -184,13 +185,14 @@ static bool ask(struct growth *more, const struct sums *s, const struct decles_s
     size_t before = more->n;
     bool meets_anchor = false;
     for (size_t i = 0; i < s->n && !meets_anchor; i++)
-        meets_anchor =
-            mpz_sgn(s->of[s->list[i]]) != 0 && sets->role[sets->fixed[s->list[i]]] == ROLE_ANCHOR;
+        meets_anchor = mpz_sgn(s->of[s->list[i]]) != 0 &&
+                       sets->mark[sets->fixed[s->list[i]]].role == ROLE_ANCHOR;
     if (!meets_anchor) return true;
     if (!mem_grow(more->point, &more->cap, more->n + s->n, err)) return false;
     for (size_t i = 0; i < s->n; i++) {
         uint32_t p = sets->fixed[s->list[i]];
-        if (mpz_sgn(s->of[s->list[i]]) == 0 || sets->role[p] == ROLE_ANCHOR || sets->pinned[p])
+        if (mpz_sgn(s->of[s->list[i]]) == 0 || sets->mark[p].role == ROLE_ANCHOR ||
+            sets->mark[p].pinned)
             continue;
         more->point[more->n++] = p;
     }

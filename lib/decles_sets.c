@@ -31,16 +31,13 @@ bool decles_sets_init(struct decles_sets *sets, const struct grid *g, bool smoot
     sets->grid = g;
     sets->smooth = smooth;
     sets->dust = c1_dust(g);
-    return mem_new(sets->pinned, g->point_count, err) && mem_new(sets->role, g->point_count, err) &&
-           mem_new(sets->column, g->point_count, err) &&
+    return mem_new(sets->mark, g->point_count, err) &&
            mem_new(sets->ring_done, g->vertex_count, err) &&
            mem_new(sets->is_in_e, (size_t)g->edge_count * (size_t)g->degree, err);
 }
 
 void decles_sets_free(struct decles_sets *sets) {
-    free(sets->pinned);
-    free(sets->role);
-    free(sets->column);
+    free(sets->mark);
     free(sets->ring_done);
     free(sets->is_in_e);
     free(sets->ring_vertex);
@@ -72,11 +69,11 @@ static bool add_conditions(struct decles_sets *s, uint32_t p) {
 /* Puts p into D, with its conditions. What has no condition stays out unless it is a slave. */
 static void derive(struct decles_sets *s, uint32_t p, bool is_slave) {
     INVARIANT(p < s->grid->point_count);
-    if (!s->ok || s->pinned[p] || s->role[p] != ROLE_NONE) return;
+    if (!s->ok || s->mark[p].pinned || s->mark[p].role != ROLE_NONE) return;
     if (!add_conditions(s, p) && !is_slave) return;
     s->ok = s->ok && mem_grow(s->derived, &s->cap_derived, s->derived_count + 1, s->err);
     if (!s->ok) return;
-    s->role[p] = ROLE_DERIVED;
+    s->mark[p].role = ROLE_DERIVED;
     s->derived[s->derived_count++] = p;
 }
 
@@ -199,11 +196,11 @@ static bool add_anchors(struct decles_sets *s, const struct decles_edit *edit) {
     for (size_t i = 0; i < edit->anchor_count; i++) {
         uint32_t p = edit->anchor[i].point;
         INVARIANT(p < s->grid->point_count);
-        if (s->pinned[p]) return err_set(s->err, ERR_REFUSAL, "anchor %u is pinned", p);
-        if (s->role[p] == ROLE_ANCHOR)
+        if (s->mark[p].pinned) return err_set(s->err, ERR_REFUSAL, "anchor %u is pinned", p);
+        if (s->mark[p].role == ROLE_ANCHOR)
             return err_set(s->err, ERR_INPUT, "point %u is an anchor twice", p);
         if (!mem_grow(s->anchor, &s->cap_anchor, s->anchor_count + 1, s->err)) return false;
-        s->role[p] = ROLE_ANCHOR;
+        s->mark[p].role = ROLE_ANCHOR;
         s->anchor[s->anchor_count++] = p;
         add_conditions(s, p);
     }
@@ -222,7 +219,7 @@ static int compare_numbers(const void *a, const void *b) {
 
 /* Takes back the columns of A and F. */
 static void forget_fixed(struct decles_sets *s) {
-    for (size_t i = 0; i < s->fixed_count; i++) s->column[s->fixed[i]] = 0;
+    for (size_t i = 0; i < s->fixed_count; i++) s->mark[s->fixed[i]].column = 0;
     s->fixed_count = 0;
 }
 
@@ -237,15 +234,15 @@ static bool number(struct decles_sets *s) {
         qsort(s->derived, s->derived_count, sizeof *s->derived, compare_points);
     if (s->condition_count > 1)
         qsort(s->condition, s->condition_count, sizeof *s->condition, compare_numbers);
-    for (size_t i = 0; i < s->derived_count; i++) s->column[s->derived[i]] = (uint32_t)i + 1;
+    for (size_t i = 0; i < s->derived_count; i++) s->mark[s->derived[i]].column = (uint32_t)i + 1;
     for (size_t r = 0; r < s->condition_count; r++) {
         uint64_t n = s->condition[r];
         s->row[r] = c1_condition(s->grid, (uint32_t)(n / d), (int)(n % d));
         for (int i = 0; i < 4; i++) {
             uint32_t p = s->row[r].point[i];
-            if (s->row[r].coefficient[i] == 0 || s->column[p] != 0) continue;
+            if (s->row[r].coefficient[i] == 0 || s->mark[p].column != 0) continue;
             s->fixed[s->fixed_count++] = p;
-            s->column[p] = (uint32_t)s->fixed_count;
+            s->mark[p].column = (uint32_t)s->fixed_count;
         }
     }
     return true;
@@ -275,10 +272,10 @@ bool decles_sets_add(struct decles_sets *s, const uint32_t *points, size_t n, st
 
 void decles_sets_clear(struct decles_sets *s) {
     forget_fixed(s);
-    for (size_t i = 0; i < s->anchor_count; i++) s->role[s->anchor[i]] = ROLE_NONE;
+    for (size_t i = 0; i < s->anchor_count; i++) s->mark[s->anchor[i]].role = ROLE_NONE;
     for (size_t i = 0; i < s->derived_count; i++) {
-        s->role[s->derived[i]] = ROLE_NONE;
-        s->column[s->derived[i]] = 0;
+        s->mark[s->derived[i]].role = ROLE_NONE;
+        s->mark[s->derived[i]].column = 0;
     }
     for (size_t i = 0; i < s->condition_count; i++) s->is_in_e[s->condition[i]] = 0;
     for (size_t i = 0; i < s->ring_count; i++) s->ring_done[s->ring_vertex[i]] = 0;
@@ -292,7 +289,7 @@ bool decles_fixed_values(const struct decles_sets *s, const struct decles_edit *
     for (size_t i = 0; i < s->fixed_count; i++)
         memcpy(x + i * k, values->q + values->stride * s->fixed[i], k * sizeof *x);
     for (size_t i = 0; i < edit->anchor_count; i++) {
-        uint32_t column = s->column[edit->anchor[i].point]; /* 0: in no condition */
+        uint32_t column = s->mark[edit->anchor[i].point].column; /* 0: in no condition */
         if (column > 0) memcpy(x + (column - 1) * k, edit->anchor[i].to, k * sizeof *x);
     }
     *fixed = x;
@@ -312,8 +309,8 @@ bool decles_matrix_init(struct int_matrix *m, const struct decles_sets *s, bool 
         for (int i = 0; i < 4; i++) {
             uint32_t p = s->row[r].point[i];
             if (s->row[r].coefficient[i] == 0) continue;
-            if ((s->role[p] == ROLE_DERIVED) != derived) continue;
-            m->col[n] = s->column[p] - 1;
+            if ((s->mark[p].role == ROLE_DERIVED) != derived) continue;
+            m->col[n] = s->mark[p].column - 1;
             m->value[n++] = s->row[r].coefficient[i];
         }
         m->start[++rows] = n;

@@ -13,19 +13,24 @@
 
 enum decles_role { ROLE_NONE, ROLE_ANCHOR, ROLE_DERIVED };
 
+/* What is known of a point, in one place: an edit touches few pages of the large array. */
+struct decles_mark {
+    uint32_t column; /* 1 + index in `derived` or in `fixed`, 0 elsewhere */
+    uint8_t role;
+    bool pinned; /* the caller's to set; lasts */
+};
+
 struct decles_sets {
     const struct grid *grid;
-    double dust;   /* c1_dust */
-    bool smooth;   /* continuity 1: the types of A and S matter, and there are conditions */
-    bool *pinned;  /* of each point; the caller's to set */
-    uint8_t *role; /* of each point */
+    double dust; /* c1_dust */
+    bool smooth; /* continuity 1: the types of A and S matter, and there are conditions */
+    struct decles_mark *mark; /* of each point */
 
     size_t anchor_count, slave_count, derived_count, condition_count, fixed_count;
     uint32_t *anchor, *derived;
     uint64_t *condition;      /* e*d + m */
     struct c1_condition *row; /* the same conditions */
     uint32_t *fixed;          /* A and F: all points of E that are not in D */
-    uint32_t *column;         /* of each point: 1 + index in `derived` or in `fixed`, 0 elsewhere */
 
     /* private */
     uint8_t *ring_done;    /* of each vertex: bit 0 ring 1, bit 1 ring 2 is in D */

@@ -31,28 +31,28 @@ struct decles_turn {
 
 bool decles_suggester_init(struct decles_suggester *s, const struct grid *g, struct err *err) {
     memset(s, 0, sizeof *s);
-    return mem_new(s->near.mark, g->point_count, err) &&
-           mem_new(s->far.mark, g->point_count, err) && mem_new(s->turn, TURNS, err);
+    if (!mem_new(s->near.mark, 2 * (size_t)g->point_count, err)) return false;
+    s->far.mark = s->near.mark + 1;
+    return mem_new(s->turn, TURNS, err);
 }
 
 void decles_suggester_free(struct decles_suggester *s) {
     free(s->near.mark);
     free(s->near.visit);
-    free(s->far.mark);
     free(s->far.visit);
     free(s->nearest);
     free(s->turn);
 }
 
 static void search_clear(struct decles_search *s) {
-    for (; s->count > 0; s->count--) s->mark[s->visit[s->count - 1].point] = 0;
+    for (; s->count > 0; s->count--) s->mark[2 * (size_t)s->visit[s->count - 1].point] = 0;
 }
 
 static bool search_push(struct decles_search *s, uint32_t p, uint32_t distance, struct err *err) {
-    if (s->mark[p] != 0) return true;
+    if (s->mark[2 * (size_t)p] != 0) return true;
     if (!mem_grow(s->visit, &s->cap, s->count + 1, err)) return false;
     s->visit[s->count++] = (struct decles_visit){p, distance, 0, 0};
-    s->mark[p] = (uint32_t)s->count;
+    s->mark[2 * (size_t)p] = (uint32_t)s->count;
     return true;
 }
 
@@ -65,7 +65,7 @@ static bool search_expand(struct decles_search *s, const struct decles_sets *set
     for (uint32_t t = 0; t < n; t++) {
         int count = net_neighbours(sets->grid, from.point, triangle[t], neighbour);
         for (int j = 0; j < count; j++) {
-            if (inside && sets->role[neighbour[j]] == ROLE_NONE) continue;
+            if (inside && sets->mark[neighbour[j]].role == ROLE_NONE) continue;
             if (!search_push(s, neighbour[j], from.distance + 1, err)) return false;
         }
     }
@@ -79,7 +79,7 @@ static bool is_border(const struct decles_sets *sets, uint32_t p) {
     for (uint32_t t = 0; t < n; t++) {
         int count = net_neighbours(sets->grid, p, triangle[t], neighbour);
         for (int j = 0; j < count; j++)
-            if (sets->role[neighbour[j]] == ROLE_NONE) return true;
+            if (sets->mark[neighbour[j]].role == ROLE_NONE) return true;
     }
     return false;
 }
@@ -99,8 +99,8 @@ static bool search_far(struct decles_search *far, const struct decles_sets *sets
 /* Appends the nearest anchors of `of`, a neighbour one step nearer than the i-th visit. */
 static bool copy_nearest(struct decles_suggester *s, size_t i, uint32_t of, struct err *err) {
     const struct decles_visit *from;
-    if (s->near.mark[of] == 0) return true;
-    from = &s->near.visit[s->near.mark[of] - 1];
+    if (s->near.mark[2 * (size_t)of] == 0) return true;
+    from = &s->near.visit[s->near.mark[2 * (size_t)of] - 1];
     if (from->distance + 1 != s->near.visit[i].distance) return true;
     if (!mem_grow(s->nearest, &s->nearest_cap, s->nearest_count + from->count, err)) return false;
     memcpy(s->nearest + s->nearest_count, s->nearest + from->first,
@@ -162,7 +162,7 @@ static bool search_near(struct decles_suggester *s, const struct decles_sets *se
         before = s->near.count;
         if (!search_expand(&s->near, sets, i, false, err)) return false;
         for (size_t j = before; j < s->near.count; j++)
-            reached += sets->role[s->near.visit[j].point] == ROLE_DERIVED;
+            reached += sets->mark[s->near.visit[j].point].role == ROLE_DERIVED;
     }
     return true;
 }
@@ -219,7 +219,7 @@ static void mean(const struct decles_suggester *s, const struct decles_edit *edi
 
 static void suggest(const struct decles_suggester *s, const struct decles_edit *edit,
                     bool several_motions, uint32_t p, const double *q, int k, double to[2]) {
-    uint32_t near = s->near.mark[p], far = s->far.mark[p];
+    uint32_t near = s->near.mark[2 * (size_t)p], far = s->far.mark[2 * (size_t)p];
     const struct decles_visit *visit = near == 0 ? NULL : &s->near.visit[near - 1];
     double theta = 1;
     if (!visit) { /* no anchor can be reached: theta = 0 */
@@ -252,8 +252,8 @@ bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
     }
     for (size_t i = 0; ok && i < edit->wish_count; i++) {
         uint32_t p = edit->wish[i].point;
-        if (sets->role[p] != ROLE_DERIVED) continue;
-        memcpy(suggested + (sets->column[p] - 1) * k, edit->wish[i].to, k * sizeof *suggested);
+        if (sets->mark[p].role != ROLE_DERIVED) continue;
+        memcpy(suggested + (sets->mark[p].column - 1) * k, edit->wish[i].to, k * sizeof *suggested);
     }
     search_clear(&s->near);
     search_clear(&s->far);

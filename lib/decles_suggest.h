@@ -13,12 +13,12 @@
 
 /* A breadth-first search: what was reached, in the order of distance. */
 struct decles_search {
-    uint32_t *mark; /* of each point: 1 + its place in `visit`; zero between edits */
+    uint32_t *mark; /* [2p] of point p: 1 + its place in `visit`; zero between edits */
     struct decles_visit *visit;
     size_t count, cap;
 };
 
-/* Working memory, all private. */
+/* Working memory, all private. The marks of both searches stand side by side. */
 struct decles_suggester {
     struct decles_search near, far;
     uint32_t *nearest; /* the nearest anchors of all visits, as indices into edit.anchor */
