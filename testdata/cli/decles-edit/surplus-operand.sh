@@ -1,0 +1,2 @@
+# With -e the only operand is the grid.
+decles-edit -e 'unpin all' a.edits a.grid

@@ -1,0 +1,1 @@
+list-points "$DATA/good/grid/square.grid"

@@ -1,0 +1,2 @@
+# With depth, the heights of bottom and top follow.
+list-points --digits 6 all "$DATA/good/grid/prism.grid"

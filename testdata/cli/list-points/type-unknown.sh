@@ -1,0 +1,1 @@
+list-points --type middle "$DATA/good/grid/square.grid"
