@@ -162,10 +162,9 @@ static const struct {
      "suggest: expected a move, rotate or scale in the same block"},
     {"begin\n  suggest 7 by 1 1\nend", ERR_INPUT, 2, 3,
      "suggest: expected a move, rotate or scale in the same block"},
-    {"move 7 by 1e308 0\nmove 7 by 1e308 0\n", ERR_REFUSAL, 2, 1,
-     "move: the new position of point 7 is too large"},
-    {"move 7 by -1e308 0\nmove 7 to 1e308 0\n", ERR_REFUSAL, 2, 1,
-     "move: the new position of point 7 is too large"},
+    {"\nscale 7 about -1.7e308 0 by 2", ERR_REFUSAL, 2, 1,
+     "scale: the new position of point 7 is too large"},
+    {"raise top 7 by 1", ERR_INPUT, 1, 1, "raise: expected a grid with depth, got one without"},
 };
 
 static void test_refusals(void **unused) {
