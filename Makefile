@@ -31,6 +31,7 @@ TOOLS   := $(patsubst %.c,$(BUILD)/bin/%,$(notdir $(wildcard tools/*.c)))
 TEST_OBJ := $(call objects,$(filter-out lib/test/t-%,$(wildcard lib/test/*.c)))
 TESTS   := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard lib/test/t-*.c)))
 FUZZERS := $(patsubst %.c,$(BUILD)/fuzz/%,$(notdir $(wildcard lib/fuzz/fuzz-*.c)))
+BENCH   := $(patsubst %,$(BUILD)/bench/%,$(basename $(notdir $(wildcard scripts/bench/*.c scripts/bench/*.cc))))
 HEADERS := $(filter-out lib/shim_%,$(wildcard lib/*.h))
 SOURCES := $(wildcard lib/*.[ch] lib/*.cc lib/test/*.[ch] lib/fuzz/*.[ch] tools/*.c scripts/bench/*.c scripts/bench/*.cc)
 
@@ -57,7 +58,7 @@ check-long: all $(TESTS) ## run them with ten times the random cases
 bless: all               ## record what the programs print now as the golden output; review by git diff
 	scripts/golden --bless
 
-bench: all               ## measure speed and memory against the limits
+bench: all $(BENCH)      ## measure speed and memory against the limits
 	scripts/bench/run
 
 asan:                    ## test with AddressSanitizer and UBSan (clang), a quarter of the random cases
@@ -84,7 +85,8 @@ install: all             ## install programs, library, headers and manuals below
 	install $(TOOLS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
 	install -m 644 $(HEADERS) $(DESTDIR)$(PREFIX)/include/supple
-	for n in 1 3 5 7; do install -m 644 man/*.$$n $(DESTDIR)$(PREFIX)/share/man/man$$n || exit; done
+	for page in $(wildcard man/*.[1-8]); do \
+	    install -m 644 $$page $(DESTDIR)$(PREFIX)/share/man/man$${page##*.} || exit; done
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: supple' 'Description: smooth deformations of plane and 2.5-D space' \
 	    'Version: $(VERSION)' 'Cflags: -I$${prefix}/include/supple' \
 	    'Libs: -L$${prefix}/lib -lsupple $(LIBS) -lstdc++' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/supple.pc
@@ -116,6 +118,10 @@ $(BUILD)/test/%: $(BUILD)/lib/test/%.o $(TEST_OBJ) $(LIB)
 $(BUILD)/fuzz/%: $(BUILD)/lib/fuzz/%.o $(LIB)
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $< $(LIB) $(LIBS)
+
+$(BUILD)/bench/%: $(BUILD)/scripts/bench/%.o
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< -lm
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)

@@ -48,4 +48,4 @@ fresh_folder() {
 # Environment of everything that runs the programs.
 ln -s "$root/testdata" "$scratch/data"
 export ASAN_OPTIONS=allocator_may_return_null=1
-export DATA=../data TOOLS="$bin" PATH="$bin:$PATH" LC_ALL=C
+export BUILD DATA=../data TOOLS="$bin" PATH="$bin:$PATH" LC_ALL=C
