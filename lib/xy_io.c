@@ -82,3 +82,30 @@ bool xy_read_polygon(struct polygon *g, const char *path, struct err *err) {
     src_close(&r.src);
     return ok;
 }
+
+static bool skip_columns(struct src *src) {
+    const char *word;
+    size_t length;
+    while (src_word(src, &word, &length)) continue;
+    return true;
+}
+
+bool xy_read_points(double (**point)[2], size_t *count, const char *path, struct err *err) {
+    struct src src;
+    size_t cap = 0;
+    *point = NULL;
+    *count = 0;
+    if (!src_open(&src, path, err)) return false;
+    while (src_line(&src) && mem_grow(*point, &cap, *count + 1, &src.err) &&
+           src_double(&src, "x", &(*point)[*count][0]) &&
+           src_double(&src, "y", &(*point)[*count][1]) && skip_columns(&src))
+        ++*count;
+    if (!src.err.kind && *count == 0) src_expected(&src, "a point");
+    if (src.err.kind) {
+        *err = src.err;
+        free(*point);
+        *point = NULL;
+    }
+    src_close(&src);
+    return *point != NULL;
+}
