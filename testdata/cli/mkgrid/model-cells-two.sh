@@ -1,0 +1,1 @@
+mkgrid --model x.obj --cells 4x4

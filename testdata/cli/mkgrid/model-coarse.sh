@@ -1,0 +1,2 @@
+printf "v %s\n" "0 0 5" "4 0 5" >x.obj
+mkgrid --model x.obj --lattice 1

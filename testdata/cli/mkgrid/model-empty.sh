@@ -1,0 +1,2 @@
+: >x.obj
+mkgrid --model x.obj

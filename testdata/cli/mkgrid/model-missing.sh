@@ -1,0 +1,1 @@
+mkgrid --model x.obj

@@ -1,0 +1,1 @@
+mkgrid --cells 3x3
