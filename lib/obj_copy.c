@@ -37,7 +37,7 @@ static void put_copies(struct copier *k, size_t n) {
     if (plan->before[n] == plan->before[n + 1]) return;
     skip(k, k->scan.stop, k->scan.stop);
     for (uint32_t i = plan->before[n]; i < plan->before[n + 1]; i++) {
-        const double *x = plan->copy[plan->order[i]].value;
+        const double *x = plan->copy[i].value;
         out_bytes(k->out, length ? k->scan.stop : "\n", length ? length : 1);
         out_text(k->out, "vn");
         for (int c = 0; c < 3; c++) {

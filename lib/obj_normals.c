@@ -2,8 +2,7 @@
 /* One pass over the text turns the normal of every corner whose pair (normal, vertex) was not seen
  * yet. Copies are found again by a hash table of their pairs; pairs whose result is the one that
  * the normal's own line has are not stored, so a model that does not move needs no memory for them.
- * At the end a counting sort brings the copies into the order of their lines, which is the order
- * they were found in unless faces use normals that come later. */
+ * Copies are found in the order of their lines: copy c has the number after + 1 + c. */
 #include "obj_normals.h"
 
 #include "mem.h"
@@ -50,7 +49,7 @@ static bool grow_table(struct obj_normals *n, struct err *err) {
 
 static bool add_copy(struct planner *p, size_t normal, size_t vertex, const double value[3]) {
     struct obj_normals *n = p->plan;
-    size_t last = p->normals > normal ? p->normals - 1 : normal;
+    size_t last = p->normals > 0 ? p->normals - 1 : 0;
     struct obj_normal_copy copy = {
         .normal = (uint32_t)normal, .vertex = (uint32_t)vertex, .after = (uint32_t)last};
     memcpy(copy.value, value, sizeof copy.value);
@@ -119,24 +118,13 @@ static bool plan_all(struct planner *p) {
     return p->scan.err.kind == ERR_NONE;
 }
 
-/* Fills before, order and the numbers of the copies. */
-static bool sort_copies(struct obj_normals *n, struct err *err) {
-    uint32_t sum = 0;
-    if (!mem_new(n->before, n->normal_count + 1, err) || !mem_new(n->order, n->copy_count, err))
-        return false;
-    for (size_t c = 0; c < n->copy_count; c++) n->before[n->copy[c].after]++;
-    for (size_t i = 0; i <= n->normal_count; i++) { /* before[i]: where the copies after i begin */
-        uint32_t count = n->before[i];
-        n->before[i] = sum;
-        sum += count;
+static bool count_before(struct obj_normals *n, struct err *err) {
+    uint32_t c = 0;
+    if (!mem_new(n->before, n->normal_count + 1, err)) return false;
+    for (size_t i = 0; i <= n->normal_count; i++) {
+        while (c < n->copy_count && n->copy[c].after < i) c++;
+        n->before[i] = c;
     }
-    for (size_t c = 0; c < n->copy_count; c++) {
-        uint32_t place = n->before[n->copy[c].after]++;
-        n->order[place] = (uint32_t)c;
-        n->copy[c].number = n->copy[c].after + 1 + place;
-    }
-    for (size_t i = n->normal_count; i > 0; i--) n->before[i] = n->before[i - 1];
-    n->before[0] = 0;
     return true;
 }
 
@@ -153,7 +141,7 @@ bool obj_normals_plan(struct obj_normals *n, const struct filemap *f, const stru
         *err = planner.scan.err;
         ok = false;
     }
-    ok = ok && sort_copies(n, err);
+    ok = ok && count_before(n, err);
     free(planner.stuck);
     if (!ok) obj_normals_free(n);
     return ok;
@@ -163,7 +151,6 @@ void obj_normals_free(struct obj_normals *n) {
     free(n->owner);
     free(n->value);
     free(n->copy);
-    free(n->order);
     free(n->before);
     free(n->slot);
     *n = (struct obj_normals){0};
@@ -172,7 +159,7 @@ void obj_normals_free(struct obj_normals *n) {
 size_t obj_normals_number(const struct obj_normals *n, size_t normal, size_t vertex) {
     const struct obj_normal_copy *copy =
         n->owner[normal] == vertex ? NULL : find_copy(n, normal, vertex);
-    return copy ? copy->number : normal + n->before[normal];
+    return copy ? copy->after + 1 + (size_t)(copy - n->copy) : normal + n->before[normal];
 }
 
 size_t obj_normals_defined(const struct obj_normals *n, size_t count) {

@@ -29,7 +29,6 @@ typedef bool obj_turn(void *context, size_t vertex, const double normal[3], doub
 struct obj_normal_copy {
     uint32_t normal, vertex; /* the pair */
     uint32_t after;          /* the normal whose line its own line follows */
-    uint32_t number;         /* among the normals of the output, from 0 */
     double value[3];
 };
 
@@ -37,8 +36,7 @@ struct obj_normals {
     size_t normal_count, copy_count;
     uint32_t *owner;              /* the normal's first vertex; OBJ_UNUSED */
     double (*value)[3];           /* the result there */
-    struct obj_normal_copy *copy; /* as found */
-    uint32_t *order;              /* copies in the order of their lines */
+    struct obj_normal_copy *copy; /* in the order of their lines */
     uint32_t *before;             /* [n]: copies before the line of normal n, n <= normal_count */
     size_t stuck_count, stuck_first; /* vertices where turn said false */
     /* private */
