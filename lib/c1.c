@@ -121,26 +121,29 @@ void c1_conditions_of(const struct grid *g, uint32_t p,
     }
 }
 
-struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride,
-                            double dust) {
+struct c1_value c1_evaluate(const struct c1_condition *condition, const struct c1_field *field,
+                            int c) {
     struct dd sum = {0, 0};
-    double terms = 0;
+    double weight = 0, largest = 0;
     for (int i = 0; i < 4; i++) {
-        double a = (double)condition->coefficient[i], x = q[stride * condition->point[i]];
-        sum = dd_add(sum, dd_two_prod(a, x));
-        terms += fabs(a) * (fabs(x) + dust);
+        double a = (double)condition->coefficient[i];
+        const double *q = field->q + field->stride * condition->point[i];
+        sum = dd_add(sum, dd_two_prod(a, q[c]));
+        weight += fabs(a);
+        if (a == 0) continue;
+        for (int other = 0; other < field->k; other++) largest = fmax(largest, fabs(q[other]));
     }
-    return (struct c1_value){sum.hi, terms};
+    return (struct c1_value){sum.hi, weight * (field->extent + largest)};
 }
 
-double c1_dust(const struct grid *g) {
+double c1_extent(const struct grid *g) {
     double largest = g->has_depth ? fmax(fabs(g->depth[0]), fabs(g->depth[1])) : 0;
     for (uint32_t v = 0; v < g->vertex_count; v++) {
         double xy[2];
         grid_vertex(g, v, xy);
         largest = fmax(largest, fmax(fabs(xy[0]), fabs(xy[1])));
     }
-    return largest / 1024;
+    return largest;
 }
 
 bool c1_holds(struct c1_value value) {
@@ -201,9 +204,20 @@ static bool exceeds(double a, double b) {
     return isnan(a) ? !isnan(b) : a > b;
 }
 
-void c1_residual(const struct grid *g, const double *q, size_t stride, double *absolute,
+/* One condition's part in the largest residuals. */
+static void add_residual(const struct c1_condition *condition, struct c1_value value, uint32_t e,
+                         double *absolute, double *relative, uint32_t *edge) {
+    double largest = 0, off;
+    for (int i = 0; i < 4; i++) largest = fmax(largest, fabs((double)condition->coefficient[i]));
+    off = fabs(value.sum) / largest;
+    if (exceeds(off, *absolute)) *absolute = off;
+    if (!exceeds(c1_relative(value), *relative)) return;
+    *relative = c1_relative(value);
+    *edge = e;
+}
+
+void c1_residual(const struct grid *g, const struct c1_field *field, double *absolute,
                  double *relative, uint32_t *edge) {
-    double dust = c1_dust(g);
     *absolute = *relative = 0;
     *edge = GRID_NONE;
     for (uint32_t e = 0; e < g->edge_count; e++) {
@@ -211,15 +225,9 @@ void c1_residual(const struct grid *g, const double *q, size_t stride, double *a
         if (*edge == GRID_NONE) *edge = e;
         for (int m = 0; m < g->degree; m++) {
             struct c1_condition condition = c1_condition(g, e, m);
-            struct c1_value value = c1_evaluate(&condition, q, stride, dust);
-            double largest = 0, off;
-            for (int i = 0; i < 4; i++)
-                largest = fmax(largest, fabs((double)condition.coefficient[i]));
-            off = fabs(value.sum) / largest;
-            if (exceeds(off, *absolute)) *absolute = off;
-            if (!exceeds(c1_relative(value), *relative)) continue;
-            *relative = c1_relative(value);
-            *edge = e;
+            for (int c = 0; c < field->k; c++)
+                add_residual(&condition, c1_evaluate(&condition, field, c), e, absolute, relative,
+                             edge);
         }
     }
 }

@@ -53,19 +53,28 @@ struct c1_condition c1_condition(const struct grid *g, uint32_t e, int m);
 void c1_conditions_of(const struct grid *g, uint32_t p,
                       void (*visit)(void *context, uint32_t e, int m), void *context);
 
-/* What a condition comes to for a component q[stride * p]. */
+/* k components that belong together (the x and y of phi, or one sigma): q[stride * p + c], c < k.
+ */
+struct c1_field {
+    double *q;
+    size_t stride;
+    int k;
+    double extent; /* c1_extent of the grid */
+};
+
+/* The largest coordinate of the grid, with its depth, in world units. O(vertices). */
+double c1_extent(const struct grid *g);
+
+/* What a condition comes to in component c. Its terms are those of points as far away as the domain
+ * reaches, or farther where its own points are, in whichever component: a turn carries the rounding
+ * of y into an x that may be 0, so an error must be held against the size of the map, not of the
+ * numbers that happen to stand in one condition. */
 struct c1_value {
     double sum;   /* of a q, in double-double, rounded once */
-    double terms; /* sum of |a q| + |a| dust */
+    double terms; /* sum |a| (extent + largest |q| of its points and all components) */
 };
-struct c1_value c1_evaluate(const struct c1_condition *condition, const double *q, size_t stride,
-                            double dust);
-
-/* The largest coordinate of the grid (with its depth), in world units, over 1024. Where points are
- * forced to lie about 0, rounding of their neighbours leaves u times the neighbours' size there
- * (heights are often 0 in wide parts). Terms are therefore measured with this much more for each
- * point: an error of u / 16 of the grid's extent is none. O(vertices). */
-double c1_dust(const struct grid *g);
+struct c1_value c1_evaluate(const struct c1_condition *condition, const struct c1_field *field,
+                            int c);
 
 /* A condition counts as true when |sum| is within 64 u of its terms, u = 2^-53: a solution that is
  * rounded once leaves 1 u where the condition was solved for or follows from such, and some u where
@@ -85,10 +94,10 @@ void c1_vertices(const struct grid *g, uint32_t *inner, uint32_t *singular);
  * not matter. */
 size_t c1_rank_formula(const struct grid *g);
 
-/* Over all conditions, for a component q[stride * p]: the largest |sum a q| / max |a|, in the unit
- * of q; the largest |sum a q| over its terms; *edge is where that is attained (the lowest
- * such), GRID_NONE without inner edges. nan counts as larger than any number. */
-void c1_residual(const struct grid *g, const double *q, size_t stride, double *absolute,
+/* Over all conditions and components: the largest |sum a q| / max |a|, in the unit of q; the
+ * largest |sum a q| over its terms; *edge is where that is attained (the lowest such), GRID_NONE
+ * without inner edges. nan counts as larger than any number. */
+void c1_residual(const struct grid *g, const struct c1_field *field, double *absolute,
                  double *relative, uint32_t *edge);
 
 #endif

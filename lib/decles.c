@@ -30,7 +30,7 @@ struct decles_editor {
     struct decles_suggester suggester;
     double *weight; /* of each point; 0 stands for 1 */
     bool weighted;  /* there are others: else do not even look, the array is large */
-    double max_gain;
+    double max_gain, extent;
     /* lists, k columns each (but weights) */
     double *suggested, *before, *solution, *anchor_before, *weights;
     size_t cap_suggested, cap_before, cap_solution, cap_anchor_before, cap_weights;
@@ -47,6 +47,7 @@ struct decles_editor *decles_new(const struct grid *g, const struct decles_optio
     }
     if (!mem_new(e, 1, err)) return NULL;
     e->max_gain = options->max_gain;
+    e->extent = c1_extent(g);
     if (!decles_sets_init(&e->sets, g, smooth, err) ||
         !decles_suggester_init(&e->suggester, g, err) || !mem_new(e->weight, g->point_count, err)) {
         decles_free(e);
@@ -122,7 +123,7 @@ static bool check_suggested(const struct decles_editor *e, int k, struct err *er
 }
 
 /* Steps 0 to 6: fills the suggestions and the solution. */
-static bool solve(struct decles_editor *e, const struct decles_values *values,
+static bool solve(struct decles_editor *e, const struct c1_field *values,
                   const struct decles_edit *edit, struct decles_report *report, struct err *err) {
     struct exact_rows rows = {0};
     struct clsq_report solved = {0};
@@ -149,21 +150,20 @@ static bool solve(struct decles_editor *e, const struct decles_values *values,
 }
 
 /* Copies the points listed between q and a list of k columns. */
-static void gather(const struct decles_values *v, const uint32_t *point, size_t n, double *list) {
+static void gather(const struct c1_field *v, const uint32_t *point, size_t n, double *list) {
     size_t k = (size_t)v->k;
     for (size_t i = 0; i < n; i++)
         memcpy(list + i * k, v->q + v->stride * point[i], k * sizeof *list);
 }
 
-static void scatter(const struct decles_values *v, const uint32_t *point, size_t n,
-                    const double *list) {
+static void scatter(const struct c1_field *v, const uint32_t *point, size_t n, const double *list) {
     size_t k = (size_t)v->k;
     for (size_t i = 0; i < n; i++)
         memcpy(v->q + v->stride * point[i], list + i * k, k * sizeof *list);
 }
 
 /* Step 7, keeping what was there. */
-static void update(struct decles_editor *e, const struct decles_values *v,
+static void update(struct decles_editor *e, const struct c1_field *v,
                    const struct decles_edit *edit) {
     const struct decles_sets *s = &e->sets;
     gather(v, s->anchor, s->anchor_count, e->anchor_before);
@@ -174,7 +174,7 @@ static void update(struct decles_editor *e, const struct decles_values *v,
     scatter(v, s->derived, s->derived_count, e->solution);
 }
 
-static void take_back(struct decles_editor *e, const struct decles_values *v) {
+static void take_back(struct decles_editor *e, const struct c1_field *v) {
     scatter(v, e->sets.anchor, e->sets.anchor_count, e->anchor_before);
     scatter(v, e->sets.derived, e->sets.derived_count, e->before);
 }
@@ -230,12 +230,12 @@ static bool check_gain(const struct decles_editor *e, const struct decles_edit *
 }
 
 /* Measures E after the update; it must hold as step 0 understands it. */
-static bool check_result(const struct decles_sets *s, const struct decles_values *v,
+static bool check_result(const struct decles_sets *s, const struct c1_field *v,
                          struct decles_report *report, struct err *err) {
     report->residual = 0;
     for (size_t r = 0; r < s->condition_count; r++)
         for (int c = 0; c < v->k; c++) {
-            struct c1_value value = c1_evaluate(&s->row[r], v->q + c, v->stride, s->dust);
+            struct c1_value value = c1_evaluate(&s->row[r], v, c);
             uint64_t edge = s->condition[r] / (uint64_t)s->grid->degree;
             report->residual = fmax(report->residual, c1_relative(value));
             if (c1_holds(value)) continue;
@@ -261,7 +261,7 @@ static void fill_report(const struct decles_editor *e, struct decles_report *rep
 
 bool decles_apply(struct decles_editor *e, double *q, size_t stride, int k,
                   const struct decles_edit *edit, struct decles_report *report, struct err *err) {
-    struct decles_values values = {q, stride, k};
+    struct c1_field values = {q, stride, k, e->extent};
     bool ok;
     INVARIANT(k == 1 || k == 2);
     memset(report, 0, sizeof *report);

@@ -7,7 +7,6 @@
 #include "decles_rank.h"
 
 #include "dd.h"
-#include "decles_drop.h"
 #include "mem.h"
 
 #include <math.h>
@@ -70,10 +69,18 @@ static double scaled(const mpz_t z, size_t shift) {
     return ldexp(mantissa, (int)(exponent - (long)shift));
 }
 
-/* |y.rhs| <= 64 u sum |y_r a_rp q_p| over the points outside D, in component c of `fixed`. */
+/* The largest component of a point of `fixed`. */
+static double magnitude(const struct c1_field *fixed, uint32_t column) {
+    double largest = 0;
+    for (int c = 0; c < fixed->k; c++)
+        largest = fmax(largest, fabs(fixed->q[fixed->stride * column + (size_t)c]));
+    return largest;
+}
+
+/* |y.rhs| <= 64 u of its terms, for component c of the points outside D; terms as in c1_evaluate.
+ */
 static bool agrees(const struct sums *s, const struct decles_sets *sets,
-                   const struct exact_relation *y, const double *fixed, size_t k, size_t c) {
-    struct c1_value value;
+                   const struct exact_relation *y, const struct c1_field *fixed, int c) {
     struct dd sum = {0, 0};
     double terms = 0;
     size_t shift = 0;
@@ -82,8 +89,8 @@ static bool agrees(const struct sums *s, const struct decles_sets *sets,
         if (bits > shift) shift = bits;
     }
     for (size_t i = 0; i < s->n; i++) {
-        uint32_t column = s->list[i];
-        sum = dd_add(sum, dd_two_prod(scaled(s->of[column], shift), fixed[column * k + c]));
+        double q = fixed->q[fixed->stride * s->list[i] + (size_t)c];
+        sum = dd_add(sum, dd_two_prod(scaled(s->of[s->list[i]], shift), q));
     }
     for (size_t i = 0; i < y->n; i++) {
         const struct c1_condition *row = &sets->row[y->row[i]];
@@ -91,11 +98,10 @@ static bool agrees(const struct sums *s, const struct decles_sets *sets,
             uint32_t p = row->point[j];
             if (row->coefficient[j] == 0 || sets->mark[p].role == ROLE_DERIVED) continue;
             terms += fabs(scaled(y->y[i], shift) * (double)row->coefficient[j]) *
-                     (fabs(fixed[(sets->mark[p].column - 1) * k + c]) + sets->dust);
+                     (fixed->extent + magnitude(fixed, sets->mark[p].column - 1));
         }
     }
-    value = (struct c1_value){sum.hi, terms};
-    return c1_holds(value);
+    return c1_holds((struct c1_value){sum.hi, terms});
 }
 
 /* A message that is put together piece by piece, cut where the room ends. */
@@ -158,12 +164,10 @@ static bool refuse(const struct sums *s, const struct decles_sets *sets,
     return err_set(err, ERR_REFUSAL, "%s", t.buffer);
 }
 
-bool decles_check(const struct decles_sets *sets, const struct decles_values *values,
-                  struct err *err) {
+bool decles_check(const struct decles_sets *sets, const struct c1_field *values, struct err *err) {
     for (size_t r = 0; r < sets->condition_count; r++)
         for (int c = 0; c < values->k; c++) {
-            struct c1_value value =
-                c1_evaluate(&sets->row[r], values->q + c, values->stride, sets->dust);
+            struct c1_value value = c1_evaluate(&sets->row[r], values, c);
             uint64_t e = sets->condition[r] / (uint64_t)sets->grid->degree;
             if (c1_holds(value)) continue;
             return err_set(err, ERR_REFUSAL,
@@ -181,7 +185,7 @@ struct growth {
 
 /* Appends to `more` what relation y asks for; false if it is a conflict (or memory ran out). */
 static bool ask(struct growth *more, const struct sums *s, const struct decles_sets *sets,
-                const struct exact_relation *y, const double *fixed, int k, struct err *err) {
+                const struct exact_relation *y, const struct c1_field *fixed, struct err *err) {
     size_t before = more->n;
     bool meets_anchor = false;
     for (size_t i = 0; i < s->n && !meets_anchor; i++)
@@ -197,23 +201,20 @@ static bool ask(struct growth *more, const struct sums *s, const struct decles_s
         more->point[more->n++] = p;
     }
     if (more->n > before) return true;
-    for (int c = 0; c < k; c++)
-        if (!agrees(s, sets, y, fixed, (size_t)k, (size_t)c)) return refuse(s, sets, y, err);
+    for (int c = 0; c < fixed->k; c++)
+        if (!agrees(s, sets, y, fixed, c)) return refuse(s, sets, y, err);
     return true;
 }
 
-/* One round: the relations of the present D, which of them are tied to points outside, and the
- * points they ask for. */
+/* One round: the relations of the present D that are tied to points outside, and the points they
+ * ask for. */
 static bool examine(const struct decles_sets *sets, const struct exact_rows *rows,
-                    const double *fixed, int k, struct growth *more, bool *tied, struct err *err) {
+                    const struct c1_field *fixed, struct growth *more, struct err *err) {
     struct sums sums;
     bool ok = sums_init(&sums, sets->fixed_count, err);
     for (size_t i = 0; ok && i < rows->relation_count; i++) {
         sums_fill(&sums, sets, &rows->relation[i]);
-        tied[i] = false;
-        for (size_t j = 0; j < sums.n; j++)
-            tied[i] = tied[i] || mpz_sgn(sums.of[sums.list[j]]) != 0;
-        ok = !tied[i] || ask(more, &sums, sets, &rows->relation[i], fixed, k, err);
+        ok = ask(more, &sums, sets, &rows->relation[i], fixed, err);
     }
     sums_free(&sums);
     return ok;
@@ -228,24 +229,20 @@ bool decles_rows_init(struct exact_rows *rows, const struct decles_sets *sets, s
     return ok;
 }
 
-/* Examines E as it is now; without growth, settles which conditions are dropped. */
+/* Examines E as it is now. */
 static bool close_round(const struct decles_sets *sets, const struct decles_edit *edit,
-                        const struct decles_values *values, struct exact_rows *rows,
-                        struct growth *more, struct err *err) {
-    double *fixed = NULL;
-    bool *tied = NULL;
+                        const struct c1_field *values, struct exact_rows *rows, struct growth *more,
+                        struct err *err) {
+    struct c1_field fixed = {NULL, (size_t)values->k, values->k, values->extent};
     bool ok = decles_check(sets, values, err) && decles_rows_init(rows, sets, err) &&
-              decles_fixed_values(sets, edit, values, &fixed, err) &&
-              mem_new(tied, rows->relation_count, err) &&
-              examine(sets, rows, fixed, values->k, more, tied, err) &&
-              (more->n > 0 || decles_drop(rows, sets, values, tied, err));
-    free(fixed);
-    free(tied);
+              decles_fixed_values(sets, edit, values, &fixed.q, err) &&
+              examine(sets, rows, &fixed, more, err);
+    free(fixed.q);
     return ok;
 }
 
 bool decles_close(struct decles_sets *sets, const struct decles_edit *edit,
-                  const struct decles_values *values, struct exact_rows *rows, size_t *added,
+                  const struct c1_field *values, struct exact_rows *rows, size_t *added,
                   struct err *err) {
     struct growth more = {NULL, 0, 0};
     size_t start = sets->derived_count;

@@ -8,7 +8,7 @@
 #include "exact.h"
 
 /* Step 0: refuses if a condition of E does not hold, naming its edge. */
-bool decles_check(const struct decles_sets *sets, const struct decles_values *values,
+bool decles_check(const struct decles_sets *sets, const struct c1_field *values,
                   struct err *err) WARN_UNUSED;
 
 /* Which conditions of E are independent in the columns of D. The caller frees `rows`, also on
@@ -20,7 +20,7 @@ bool decles_rows_init(struct exact_rows *rows, const struct decles_sets *sets,
  * agree; else refuses, naming anchors and conditions. Checks the conditions that come in. Step 4:
  * `rows` tells which conditions are independent in the columns of D; as above. */
 bool decles_close(struct decles_sets *sets, const struct decles_edit *edit,
-                  const struct decles_values *values, struct exact_rows *rows, size_t *added,
+                  const struct c1_field *values, struct exact_rows *rows, size_t *added,
                   struct err *err) WARN_UNUSED;
 
 #endif

@@ -10,14 +10,13 @@
 
 #include <string.h>
 
-static bool is_smooth(const struct grid *g, const struct decles_values *v) {
-    double dust = c1_dust(g);
+static bool is_smooth(const struct grid *g, const struct c1_field *v) {
     for (uint32_t e = 0; e < g->edge_count; e++) {
         if (!grid_edge_is_inner(g, e)) continue;
         for (int m = 0; m < g->degree; m++) {
             struct c1_condition condition = c1_condition(g, e, m);
             for (int c = 0; c < v->k; c++)
-                if (!c1_holds(c1_evaluate(&condition, v->q + c, v->stride, dust))) return false;
+                if (!c1_holds(c1_evaluate(&condition, v, c))) return false;
         }
     }
     return true;
@@ -37,7 +36,7 @@ static bool take_all(struct decles_sets *sets, const struct grid *g, struct err 
 }
 
 static bool project(const struct decles_sets *sets, const struct exact_rows *rows,
-                    const struct decles_values *v, struct err *err) {
+                    const struct c1_field *v, struct err *err) {
     size_t n = sets->derived_count, k = (size_t)v->k;
     struct decles_targets targets = {.k = v->k};
     struct clsq_report report;
@@ -58,7 +57,7 @@ static bool project(const struct decles_sets *sets, const struct exact_rows *row
 }
 
 bool decles_repair(const struct grid *g, double *q, size_t stride, int k, struct err *err) {
-    struct decles_values values = {q, stride, k};
+    struct c1_field values = {q, stride, k, c1_extent(g)};
     struct decles_sets sets;
     struct exact_rows rows = {0};
     bool ok;

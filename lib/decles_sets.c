@@ -30,7 +30,6 @@ bool decles_sets_init(struct decles_sets *sets, const struct grid *g, bool smoot
     memset(sets, 0, sizeof *sets);
     sets->grid = g;
     sets->smooth = smooth;
-    sets->dust = c1_dust(g);
     return mem_new(sets->mark, g->point_count, err) &&
            mem_new(sets->ring_done, g->vertex_count, err) &&
            mem_new(sets->is_in_e, (size_t)g->edge_count * (size_t)g->degree, err);
@@ -282,7 +281,7 @@ void decles_sets_clear(struct decles_sets *s) {
 }
 
 bool decles_fixed_values(const struct decles_sets *s, const struct decles_edit *edit,
-                         const struct decles_values *values, double **fixed, struct err *err) {
+                         const struct c1_field *values, double **fixed, struct err *err) {
     size_t k = (size_t)values->k;
     double *x;
     if (!mem_new(x, s->fixed_count * k, err)) return false;

@@ -22,7 +22,6 @@ struct decles_mark {
 
 struct decles_sets {
     const struct grid *grid;
-    double dust; /* c1_dust */
     bool smooth; /* continuity 1: the types of A and S matter, and there are conditions */
     struct decles_mark *mark; /* of each point */
 
@@ -59,17 +58,10 @@ bool decles_sets_add(struct decles_sets *sets, const uint32_t *points, size_t n,
 /* Takes the marks away; the lists can be read until the next edit begins. */
 void decles_sets_clear(struct decles_sets *sets);
 
-/* The k components that an edit changes: q[stride * p + c], c < k. */
-struct decles_values {
-    double *q;
-    size_t stride;
-    int k; /* 1 or 2 */
-};
-
 /* Where the points of `fixed` will be: anchors at their new positions; fixed_count x k, row-major.
  * Released by free. */
 bool decles_fixed_values(const struct decles_sets *sets, const struct decles_edit *edit,
-                         const struct decles_values *values, double **fixed,
+                         const struct c1_field *values, double **fixed,
                          struct err *err) WARN_UNUSED;
 
 /* The columns of D (derived = true) or of A and F of those conditions for which keep is true (all

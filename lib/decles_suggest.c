@@ -237,7 +237,7 @@ static void suggest(const struct decles_suggester *s, const struct decles_edit *
 }
 
 bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
-                    const struct decles_edit *edit, const struct decles_values *values,
+                    const struct decles_edit *edit, const struct c1_field *values,
                     double *suggested, struct err *err) {
     size_t k = (size_t)values->k;
     bool several_motions = false, ok;

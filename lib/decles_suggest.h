@@ -34,7 +34,7 @@ void decles_suggester_free(struct decles_suggester *s); /* harmless on a zeroed 
  * to an anchor than the last of D is; times the number of nearest anchors where there are several
  * motions. */
 bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
-                    const struct decles_edit *edit, const struct decles_values *values,
+                    const struct decles_edit *edit, const struct c1_field *values,
                     double *suggested, struct err *err) WARN_UNUSED;
 
 #endif

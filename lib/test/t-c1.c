@@ -207,7 +207,8 @@ static void residual(void **state) {
     q = calloc(g.point_count, 2 * sizeof *q);
     for (uint32_t p = 0; p < g.point_count; p++) grid_nominal(&g, p, q + 2 * p);
     for (size_t c = 0; c < 2; c++) {
-        c1_residual(&g, q + c, 2, &absolute, &relative, &edge);
+        c1_residual(&g, &(struct c1_field){q + c, 2, 1, c1_extent(&g)}, &absolute, &relative,
+                    &edge);
         assert_true(relative <= 0x1p-53 && absolute <= 30 * 4 * 0x1p-53);
     }
     for (uint32_t e = 0; e < g.edge_count; e++) { /* break one condition: it is found */
@@ -215,14 +216,14 @@ static void residual(void **state) {
         if (!grid_edge_is_inner(&g, e)) continue;
         c = c1_condition(&g, e, 2);
         q[2 * c.point[0]] += 0.5;
-        c1_residual(&g, q, 2, &absolute, &relative, &edge);
+        c1_residual(&g, &(struct c1_field){q, 2, 1, c1_extent(&g)}, &absolute, &relative, &edge);
         assert_int_equal(edge, e);
         assert_true(absolute > 0.1 && absolute <= 0.5 && relative > 1e-3);
-        assert_false(c1_holds(c1_evaluate(&c, q, 2, c1_dust(&g))));
+        assert_false(c1_holds(c1_evaluate(&c, &(struct c1_field){q, 2, 1, c1_extent(&g)}, 0)));
         q[2 * c.point[0]] = (double)NAN;
-        c1_residual(&g, q, 2, &absolute, &relative, &edge);
+        c1_residual(&g, &(struct c1_field){q, 2, 1, c1_extent(&g)}, &absolute, &relative, &edge);
         assert_true(edge == e && isnan(absolute) && isnan(relative));
-        assert_false(c1_holds(c1_evaluate(&c, q, 2, c1_dust(&g))));
+        assert_false(c1_holds(c1_evaluate(&c, &(struct c1_field){q, 2, 1, c1_extent(&g)}, 0)));
         grid_nominal(&g, c.point[0], q + 2 * c.point[0]);
     }
     free(q);
@@ -237,8 +238,9 @@ static void tolerance(void **state) {
     assert_true(c1_relative((struct c1_value){0, 0}) == 0);
     assert_true(c1_relative((struct c1_value){-1, 4}) == 0.25);
     struct c1_condition c = {{0, 1, 2, 3}, {-1, -1, 1, 1}};
-    struct c1_value v = c1_evaluate(&c, (double[]){1, 2, 4, 8}, 1, 0.5);
-    assert_true(v.sum == 9 && v.terms == 17);
+    double q[] = {1, 2, 4, 8};
+    struct c1_value v = c1_evaluate(&c, &(struct c1_field){q, 1, 1, 0.5}, 0);
+    assert_true(v.sum == 9 && v.terms == 4 * 8.5);
 }
 
 int main(void) {

@@ -343,15 +343,13 @@ static void copy_spline(struct witness *w) {
 }
 
 static double largest_residual(const struct spline *s) {
-    double worst = 0, absolute, relative;
+    struct c1_field phi = {&s->phi[0][0], 2, 2, c1_extent(&s->grid)};
+    struct c1_field sigma = {&s->sigma[0][0], 2, 2, phi.extent};
+    double worst, absolute, relative;
     uint32_t edge;
-    for (int c = 0; c < 2; c++) {
-        c1_residual(&s->grid, &s->phi[0][c], 2, &absolute, &relative, &edge);
-        worst = fmax(worst, relative);
-        c1_residual(&s->grid, &s->sigma[0][c], 2, &absolute, &relative, &edge);
-        worst = fmax(worst, relative);
-    }
-    return worst;
+    c1_residual(&s->grid, &phi, &absolute, &worst, &edge);
+    c1_residual(&s->grid, &sigma, &absolute, &relative, &edge);
+    return fmax(worst, relative);
 }
 
 /* Returns whether the script was carried out to its end. */
