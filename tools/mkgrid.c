@@ -23,7 +23,8 @@ static const struct cli_program program = {
     .options = options,
     .epilogue = "examples:\n"
                 "  mkgrid --rect 0,0,8,6 --cells 8x6 | decles-edit -e 'move @4,3 by 1 0 reach 5'\n"
-                "  mkgrid --model m.obj | decles-edit bend.edits | deform-mesh m.obj >bent.obj\n",
+                "  mkgrid --model worm.obj --plane zy | decles-edit bend.edits | deform-mesh "
+                "worm.obj >bent.obj\n",
 };
 
 struct settings {
