@@ -5,6 +5,7 @@
 #include "filemap.h"
 #include "grid_io.h"
 #include "mem.h"
+#include "num.h"
 #include "obj_copy.h"
 
 #include <string.h>
@@ -99,15 +100,19 @@ static bool read_inputs(struct job *job, struct err *err) {
            obj_points_read(&job->points, &job->file, err);
 }
 
+/* Refuses the model because of a vertex; `outside` of them lie outside, or none: an overflow. */
 static bool refuse(const struct job *job, size_t vertex, size_t outside, struct err *err) {
     const double *x = job->points.vertex[vertex];
     size_t line = obj_points_line(&job->file, vertex);
+    char text[3][NUM_TEXT_MAX + 1] = {{0}};
+    for (int c = 0; c < 3; c++) num_print(text[c], x[c], 0);
     if (outside == 0)
         return err_set_at(err, ERR_REFUSAL, job->file.name, line, 0,
-                          "the image of vertex %zu exceeds the range of numbers", vertex + 1);
+                          "the image of vertex %zu at %s %s %s exceeds the range of numbers",
+                          vertex + 1, text[0], text[1], text[2]);
     return err_set_at(err, ERR_REFUSAL, job->file.name, line, 0,
-                      "%zu of %zu vertices outside the grid; the first is vertex %zu at %g %g %g",
-                      outside, job->points.vertex_count, vertex + 1, x[0], x[1], x[2]);
+                      "%zu of %zu vertices outside the grid; the first is vertex %zu at %s %s %s",
+                      outside, job->points.vertex_count, vertex + 1, text[0], text[1], text[2]);
 }
 
 /* Old positions stay where normals need derivatives at them. */

@@ -1,0 +1,1 @@
+deform-mesh --normals flip m.obj m.grid

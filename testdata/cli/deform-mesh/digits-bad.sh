@@ -1,0 +1,1 @@
+deform-mesh --digits 18 m.obj m.grid

@@ -1,0 +1,2 @@
+# The operands in the wrong order.
+deform-mesh "$DATA/cli/deform-mesh/stretch.grid" "$DATA/good/obj/square.obj"

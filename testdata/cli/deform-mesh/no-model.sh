@@ -1,0 +1,1 @@
+deform-mesh nothing.obj "$DATA/cli/deform-mesh/stretch.grid"

@@ -1,0 +1,1 @@
+printf 'v 1 2 4\n' | deform-mesh --plane xx - "$DATA/cli/deform-mesh/lifted.grid"
