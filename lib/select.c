@@ -180,6 +180,7 @@ static bool select_inside(struct select_space *space, const struct selector *s,
 
 bool select_points(struct select_space *space, const struct selector *s, struct point_set *set,
                    struct err *err) {
+    INVARIANT(s->kind <= SELECT_INSIDE);
     switch (s->kind) {
     case SELECT_ALL:
         return add_range(0, space->grid->point_count - 1, set, err);
@@ -196,7 +197,6 @@ bool select_points(struct select_space *space, const struct selector *s, struct 
     case SELECT_INSIDE:
         return select_inside(space, s, set, err);
     }
-    INVARIANT(!"a kind of selector");
     return false;
 }
 
