@@ -235,6 +235,7 @@ static int compare_namings(const void *a, const void *b) {
 }
 
 static bool check_namings(const struct run *run, struct channel *ch, struct err *err) {
+    if (ch->naming_count < 2) return true;
     qsort(ch->naming, ch->naming_count, sizeof *ch->naming, compare_namings);
     for (size_t i = 1; i < ch->naming_count; i++) {
         const struct naming *first = &ch->naming[i - 1], *again = &ch->naming[i];
