@@ -115,6 +115,6 @@ static bool make(struct grid *g, const struct source *s, struct surround_report 
 bool source_grid(struct grid *g, const struct source *s, struct surround_report *report,
                  struct err *err) {
     if (make(g, s, report, err)) return true;
-    if (s->kind == SOURCE_RECT || s->kind == SOURCE_MODEL) return false;
+    if (s->kind == SOURCE_RECT || s->kind == SOURCE_MODEL || err->kind != ERR_REFUSAL) return false;
     return err_place(err, strcmp(s->file, "-") == 0 ? "<stdin>" : s->file, 0, 0);
 }

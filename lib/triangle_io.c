@@ -47,7 +47,7 @@ static bool skip_extra(struct src *src, int64_t n) {
 
 static bool read_number(struct reader *r, int64_t i, int64_t base) {
     int64_t n;
-    return src_int(&r->src, "the number of the record, in order", i + base, i + base, &n);
+    return src_int(&r->src, "the number of the record", i + base, i + base, &n);
 }
 
 static bool read_vertex(struct reader *r, size_t *cap, int64_t extra) {
@@ -55,8 +55,7 @@ static bool read_vertex(struct reader *r, size_t *cap, int64_t extra) {
     int64_t i = (int64_t)t->vertex_count;
     double p[2] = {0, 0};
     if (!next_line(&r->src, "a vertex")) return false;
-    if (i == 0 && !src_int(&r->src, "0 or 1, the number of the first vertex", 0, 1, &r->base))
-        return false;
+    if (i == 0 && !src_int(&r->src, "the number of the first vertex", 0, 1, &r->base)) return false;
     if ((i > 0 && !read_number(r, i, r->base)) || !src_double(&r->src, "x", &p[0]) ||
         !src_double(&r->src, "y", &p[1]) || !skip_extra(&r->src, extra) ||
         !mem_grow(t->vertex, cap, t->vertex_count + 1, &r->src.err))
@@ -71,7 +70,7 @@ static bool read_vertices(struct reader *r) {
     size_t cap = 0;
     if (!next_line(&r->src, "the number of vertices") ||
         !src_int(&r->src, "the number of vertices", 0, UINT32_MAX - 2, &n) ||
-        !src_int(&r->src, "2, the dimension", 2, 2, &two) ||
+        !src_int(&r->src, "the dimension", 2, 2, &two) ||
         !optional_int(&r->src, "the number of attributes", EXTRA_MAX, &attributes) ||
         !optional_int(&r->src, "the number of markers", 1, &markers) || !src_end_line(&r->src))
         return false;
@@ -95,7 +94,9 @@ static bool read_triangles(struct reader *r) {
     size_t cap = 0;
     if (!next_line(&r->src, "the number of triangles") ||
         !src_int(&r->src, "the number of triangles", 1, UINT32_MAX / 3, &n) ||
-        !src_int(&r->src, "3 or 6, the corners of a triangle", 3, 6, &corners) ||
+        !src_int(&r->src, "the corners of a triangle", 3, 6, &corners) ||
+        (corners % 3 &&
+         !src_fail(&r->src, NULL, "expected 3 or 6 corners of a triangle, got %d", (int)corners)) ||
         !optional_int(&r->src, "the number of attributes", EXTRA_MAX, &attributes) ||
         !src_end_line(&r->src))
         return false;
@@ -185,46 +186,65 @@ static bool read_file(struct reader *r, const char *path, bool (*part)(struct re
     return ok;
 }
 
-/* NAME.node for NAME.ele or NAME.poly. */
-static bool read_node_beside(struct reader *r, const char *path, struct err *err) {
-    size_t stem = (size_t)(strrchr(path, '.') - path);
-    char *name;
-    bool ok;
-    if (!mem_new(name, stem + sizeof ".node", err)) return false;
-    memcpy(name, path, stem);
-    memcpy(name + stem, ".node", sizeof ".node");
-    ok = read_file(r, name, node_part, err);
-    free(name);
-    return ok;
+bool triangle_read_node(struct triangulation *t, const char *path, struct err *err) {
+    struct reader r = {.t = t};
+    *t = (struct triangulation){0};
+    if (read_file(&r, path, node_part, err)) return true;
+    triangulation_free(t);
+    return false;
+}
+
+bool triangle_read_ele(struct triangulation *t, const char *path, const char *node,
+                       struct err *err) {
+    struct reader r = {.t = t};
+    *t = (struct triangulation){0};
+    if (read_file(&r, node, node_part, err) && read_file(&r, path, ele_part, err)) return true;
+    triangulation_free(t);
+    return false;
 }
 
 /* The vertices are in this file or, if there are none, in the other one, which is read before the
  * file goes on. */
-static bool read_poly(struct reader *r, const char *path, struct err *err) {
-    struct reader node = {.t = r->t};
-    bool ok;
-    if (!src_open(&r->src, path, err)) return false;
-    ok = read_vertices(r);
-    if (ok && r->t->vertex_count == 0) {
-        ok = read_node_beside(&node, path, &r->src.err);
-        r->base = node.base;
+static bool read_poly(struct reader *r, const char *node, struct err *err) {
+    struct reader other = {.t = r->t};
+    if (!read_vertices(r)) return false;
+    if (r->t->vertex_count == 0) {
+        if (!read_file(&other, node, node_part, err)) return false;
+        r->base = other.base;
     }
-    ok = ok && poly_part(r);
-    if (!ok) *err = r->src.err;
-    src_close(&r->src);
-    return ok;
+    return poly_part(r);
 }
 
-bool triangle_read(struct triangulation *t, const char *path, struct err *err) {
+bool triangle_read_poly(struct triangulation *t, const char *path, const char *node,
+                        struct err *err) {
     struct reader r = {.t = t};
     bool ok;
     *t = (struct triangulation){0};
-    if (ends_in(path, ".node"))
-        ok = read_file(&r, path, node_part, err);
-    else if (ends_in(path, ".ele"))
-        ok = read_node_beside(&r, path, err) && read_file(&r, path, ele_part, err);
-    else
-        ok = read_poly(&r, path, err);
+    if (!src_open(&r.src, path, err)) return false;
+    ok = read_poly(&r, node, err);
+    if (!ok && r.src.err.kind) *err = r.src.err;
+    src_close(&r.src);
     if (!ok) triangulation_free(t);
+    return ok;
+}
+
+/* NAME.node for NAME.ele or NAME.poly. */
+static char *node_beside(const char *path, struct err *err) {
+    size_t stem = (size_t)(strrchr(path, '.') - path);
+    char *name;
+    if (!mem_new(name, stem + sizeof ".node", err)) return NULL;
+    memcpy(name, path, stem);
+    memcpy(name + stem, ".node", sizeof ".node");
+    return name;
+}
+
+bool triangle_read(struct triangulation *t, const char *path, struct err *err) {
+    char *node;
+    bool ok;
+    if (ends_in(path, ".node")) return triangle_read_node(t, path, err);
+    node = node_beside(path, err);
+    ok = node &&
+         (ends_in(path, ".ele") ? triangle_read_ele : triangle_read_poly)(t, path, node, err);
+    free(node);
     return ok;
 }

@@ -13,10 +13,18 @@
 
 #include "triangulation.h"
 
-/* Reads NAME.node, NAME.ele with NAME.node, or NAME.poly, as the name of the file ends. */
-bool triangle_read(struct triangulation *t, const char *path, struct err *err) WARN_UNUSED;
+/* Vertices; triangles, of the vertices in the file `node`; vertices, there or in the file itself,
+ * segments and holes. Errors: file:LINE:COL. */
+bool triangle_read_node(struct triangulation *t, const char *path, struct err *err) WARN_UNUSED;
+bool triangle_read_ele(struct triangulation *t, const char *path, const char *node,
+                       struct err *err) WARN_UNUSED;
+bool triangle_read_poly(struct triangulation *t, const char *path, const char *node,
+                        struct err *err) WARN_UNUSED;
 
-/* Does the name end so? */
+/* Does the name end in .node, .ele or .poly? */
 bool triangle_is_name(const char *path);
+
+/* Reads the file as its name ends, with NAME.node beside it. */
+bool triangle_read(struct triangulation *t, const char *path, struct err *err) WARN_UNUSED;
 
 #endif

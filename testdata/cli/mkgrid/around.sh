@@ -1,0 +1,2 @@
+printf '%s\n' '0 0' '8 0' '8 6' '0 6' HOLE '2 2' '4 2' '4 4' '2 4' >p.xy
+mkgrid --around p.xy --margin 0.25 --cells 4 --degree 1 --verbose

@@ -1,0 +1,1 @@
+mkgrid --polygon nowhere.xy

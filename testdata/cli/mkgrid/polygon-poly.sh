@@ -1,0 +1,1 @@
+mkgrid --polygon "$DATA/good/poly/hole.poly"

@@ -1,0 +1,2 @@
+cp "$DATA/good/ele/square.ele" .
+mkgrid --triangulation square.ele

@@ -1,0 +1,1 @@
+mkgrid --triangulation "$DATA/good/node/square.node" --degree 1

@@ -1,0 +1,1 @@
+mkgrid --triangulation "$DATA/good/poly/hole.poly" --degree 1

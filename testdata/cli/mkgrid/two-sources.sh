@@ -1,0 +1,1 @@
+mkgrid --polygon a.xy --model b.obj
