@@ -35,7 +35,7 @@ static const struct cli_program program = {
         "\n"
         "examples:\n"
         "  mkgrid --rect 0,0,8,6 --cells 8x6 --depth 0,1 | convert-grid --to vtu -o slab.vtu\n"
-        "  decles-edit bend.edits m.grid | convert-grid --to obj --steps 4 >bent.obj\n",
+        "  decles-edit bend.edits worm.grid | convert-grid --to obj --steps 4 >bent.obj\n",
 };
 
 enum format { MSH, VTU, OBJ, JSON };

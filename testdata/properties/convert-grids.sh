@@ -43,3 +43,50 @@ rough_grids() {
     sed 's/^degree .*/&\nplane zy/' flat-5.grid >mirrorflat-5.grid
     sed 's/^degree .*/&\nplane yz/' flat-6.grid >cyclic-6.grid
 }
+
+# A square ring and, apart from it, a triangle: hole-1.grid.
+holed_grid() {
+    cat >hole-1.grid <<'END'
+grid 1
+degree 1
+lattice 0.5 1 0
+depth 0 2
+vertices 11
+0 0
+6 0
+6 6
+0 6
+2 2
+4 2
+4 4
+2 4
+10 0
+14 0
+12 4
+triangles 9
+0 1 4
+1 5 4
+1 2 5
+2 6 5
+2 3 6
+3 7 6
+3 0 7
+0 4 7
+9 10 8
+points 11
+END
+    awk '/^vertices/ { n = $2; next }
+        n > 0 { n--; print 1 + $1 / 2, $2 / 2, 0, 2 + $1 / 8 }
+        /^triangles/ { print "end"; exit }' hole-1.grid >points
+    cat points >>hole-1.grid
+}
+
+# A history that neither JSON nor XML can hold as it is: hostile-1.grid.
+hostile_grid() {
+    mkgrid --rect 0,0,1,1 --cells 1x1 --degree 1 >plain
+    {
+        sed 1q plain
+        printf '# "q" back\\slash \t\033\001 \344 \303\244 \355\240\200 \357\277\277 \342\202\254 ?> ?\033> --> ]]> <&>\n'
+        sed 1d plain
+    } >hostile-1.grid
+}

@@ -28,7 +28,7 @@ known_bernstein = functools.lru_cache(maxsize=100000)(bernstein)  # for a raster
 
 class Deformation:
     def __init__(self, path):
-        with open(path, encoding='utf-8') as file:
+        with open(path, encoding='utf-8', errors='replace') as file:
             rows = [line.split('#')[0].split() for line in file]
         self.rows = iter([row for row in rows if row])
         self.plane, self.lattice, self.depth = 'xy', [1.0, 0.0, 0.0], None

@@ -1,0 +1,1 @@
+convert-grid --to json </dev/null

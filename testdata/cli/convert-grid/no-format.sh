@@ -1,0 +1,1 @@
+convert-grid -o a.ply $DATA/good/grid/square.grid

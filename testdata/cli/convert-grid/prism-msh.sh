@@ -1,0 +1,1 @@
+convert-grid --to msh $DATA/good/grid/prism.grid

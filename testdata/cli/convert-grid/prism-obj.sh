@@ -1,0 +1,1 @@
+convert-grid --to obj $DATA/good/grid/prism.grid

@@ -1,0 +1,1 @@
+convert-grid --to json $DATA/good/grid/square.grid

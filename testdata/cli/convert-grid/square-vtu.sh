@@ -1,0 +1,1 @@
+convert-grid --to vtu $DATA/good/grid/square.grid

@@ -1,0 +1,1 @@
+convert-grid --to vtu --steps 4 $DATA/good/grid/square.grid

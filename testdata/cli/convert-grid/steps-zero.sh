@@ -1,0 +1,1 @@
+convert-grid --to obj --steps 0 $DATA/good/grid/square.grid

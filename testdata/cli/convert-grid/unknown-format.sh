@@ -1,0 +1,1 @@
+convert-grid --to ply $DATA/good/grid/square.grid
