@@ -246,7 +246,7 @@ static char *copy_model(const struct random_model *m, enum obj_normal_mode mode,
     struct obj_points points;
     struct out out;
     struct err err = {0};
-    char path[32], *text;
+    char path[32], *text = NULL;
     FILE *file;
     size_t n;
     write_file(path, "", 0); /* only for its name: renaming over a file is slow */
