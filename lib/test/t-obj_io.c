@@ -261,7 +261,8 @@ static char *copy_model(const struct random_model *m, enum obj_normal_mode mode,
     assert_true(out_close(&out, &err));
     obj_points_free(&points);
     file = fopen(path, "r");
-    assert_true(file && mem_new(text, TEXT_MAX * 4, &err));
+    assert_non_null(file);
+    assert_true(mem_new(text, TEXT_MAX * 4, &err));
     n = fread(text, 1, TEXT_MAX * 4 - 1, file);
     text[n] = '\0';
     fclose(file);
