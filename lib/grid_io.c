@@ -6,55 +6,17 @@
 #include "grid_io.h"
 
 #include "mem.h"
-#include "src.h"
+#include "record_io.h"
 
 #include <stdio.h>
-#include <string.h>
+#include <zlib.h>
 
 struct reader {
     struct src src;
     struct grid grid;
-    char *history;
-    size_t history_length, history_cap;
     bool plane, lattice;                               /* were there */
     size_t *vertex_line, *triangle_line, lattice_line; /* where a culprit stands */
 };
-
-/* Goes to the next record; at the end of the file what is expected next will be missed. */
-static bool next_record(struct src *src) {
-    return src_line(src) || src->eof;
-}
-
-static bool add_history(struct reader *r) {
-    const char *line = r->src.comment;
-    size_t length = (size_t)(r->src.raw_end - line), need = r->history_length + length + 2;
-    const char *nul = memchr(line, '\0', length);
-    if (nul) return src_fail(&r->src, nul, "expected text, got a NUL byte");
-    if (!mem_grow(r->history, &r->history_cap, need, &r->src.err)) return false;
-    memcpy(r->history + r->history_length, line, length);
-    r->history_length += length + 1;
-    r->history[r->history_length - 1] = '\n';
-    r->history[r->history_length] = '\0';
-    return true;
-}
-
-/* "grid 1", the comment lines after it, and the step to the next record. */
-static bool read_first(struct reader *r) {
-    struct src *src = &r->src;
-    if (!next_record(src) || !src_expect(src, "grid")) return false;
-    if (!src_take(src, "1")) return src_expected(src, "version 1");
-    if (!src_end_line(src)) return false;
-    while (src_raw_line(src)) {
-        const char *before = src->at, *word;
-        size_t length;
-        if (src_word(src, &word, &length)) {
-            src->at = before;
-            return true;
-        }
-        if (src->comment && !add_history(r)) return false;
-    }
-    return src->eof;
-}
 
 static bool read_degree(struct reader *r) {
     int64_t degree = 0;
@@ -62,7 +24,7 @@ static bool read_degree(struct reader *r) {
         !src_int(&r->src, "a degree", 1, GRID_DEGREE_MAX, &degree) || !src_end_line(&r->src))
         return false;
     r->grid.degree = (int)degree;
-    return next_record(&r->src);
+    return record_next(&r->src);
 }
 
 static bool read_plane(struct reader *r) {
@@ -75,7 +37,7 @@ static bool read_plane(struct reader *r) {
         r->src.at = before;
         return src_expected(&r->src, "two different letters of xyz");
     }
-    return src_end_line(&r->src) && next_record(&r->src);
+    return src_end_line(&r->src) && record_next(&r->src);
 }
 
 static bool read_lattice(struct reader *r) {
@@ -92,7 +54,7 @@ static bool read_lattice(struct reader *r) {
     r->lattice_line = r->src.line;
     return src_double(&r->src, "x0 of the lattice", &l->x0) &&
            src_double(&r->src, "y0 of the lattice", &l->y0) && src_end_line(&r->src) &&
-           next_record(&r->src);
+           record_next(&r->src);
 }
 
 static bool read_depth(struct reader *r) {
@@ -107,19 +69,7 @@ static bool read_depth(struct reader *r) {
         r->src.at = upper;
         return src_expected(&r->src, "an upper end above the lower end");
     }
-    return src_end_line(&r->src) && next_record(&r->src);
-}
-
-/* "NAME COUNT"; `expected` names all records that could stand here. */
-static bool read_count(struct src *src, const char *name, const char *expected, int64_t lo,
-                       int64_t hi, uint32_t *count) {
-    char what[64];
-    int64_t n = 0;
-    if (!src_take(src, name)) return src_expected(src, expected);
-    snprintf(what, sizeof what, "a number of %s", name);
-    if (!src_int(src, what, lo, hi, &n) || !src_end_line(src)) return false;
-    *count = (uint32_t)n;
-    return next_record(src);
+    return src_end_line(&r->src) && record_next(&r->src);
 }
 
 /* What may stand where `vertices` must, given what there was. */
@@ -134,7 +84,7 @@ static bool read_vertices(struct reader *r) {
     struct src *src = &r->src;
     size_t cap = 0, line_cap = 0;
     uint32_t count;
-    if (!read_count(src, "vertices", expected_before_vertices(r), 3, UINT32_MAX - 2, &count))
+    if (!record_count(src, "vertices", expected_before_vertices(r), 3, UINT32_MAX - 2, &count))
         return false;
     for (uint32_t v = 0; v < count; v++) {
         int64_t xy[2] = {0};
@@ -147,7 +97,7 @@ static bool read_vertices(struct reader *r) {
         r->grid.vertex[v][0] = (int32_t)xy[0];
         r->grid.vertex[v][1] = (int32_t)xy[1];
         r->vertex_line[v] = src->line;
-        if (!next_record(src)) return false;
+        if (!record_next(src)) return false;
     }
     r->grid.vertex_count = count;
     return true;
@@ -160,7 +110,7 @@ static bool read_triangles(struct reader *r) {
     uint32_t count;
     char expected[64];
     snprintf(expected, sizeof expected, "'triangles' after %u vertices", r->grid.vertex_count);
-    if (!read_count(src, "triangles", expected, 1, UINT32_MAX / 3, &count)) return false;
+    if (!record_count(src, "triangles", expected, 1, UINT32_MAX / 3, &count)) return false;
     for (uint32_t t = 0; t < count; t++) {
         if (!mem_grow(r->grid.triangle, &cap, (size_t)t + 1, &src->err) ||
             !mem_grow(r->triangle_line, &line_cap, (size_t)t + 1, &src->err))
@@ -172,7 +122,7 @@ static bool read_triangles(struct reader *r) {
             r->grid.triangle[t][l] = (uint32_t)v;
         }
         r->triangle_line[t] = src->line;
-        if (!src_end_line(src) || !next_record(src)) return false;
+        if (!src_end_line(src) || !record_next(src)) return false;
     }
     r->grid.triangle_count = count;
     snprintf(expected, sizeof expected, "'points' after %u triangles", count);
@@ -205,7 +155,7 @@ static bool read_point(struct src *src, struct spline *s, uint32_t p) {
            src_double(src, "y of a control point", &s->phi[p][1]) &&
            (!s->sigma || (src_double(src, "z0 of a control point", &s->sigma[p][0]) &&
                           src_double(src, "z1 of a control point", &s->sigma[p][1]))) &&
-           src_end_line(src) && next_record(src);
+           src_end_line(src) && record_next(src);
 }
 
 /* The count after `points`, which follows from the grid. */
@@ -221,7 +171,7 @@ static bool read_point_count(struct reader *r) {
                  r->grid.point_count);
         return src_expected(src, expected);
     }
-    return src_end_line(src) && next_record(src);
+    return src_end_line(src) && record_next(src);
 }
 
 static bool read_points(struct reader *r, struct spline *s) {
@@ -231,12 +181,12 @@ static bool read_points(struct reader *r, struct spline *s) {
     for (uint32_t p = 0; p < s->grid.point_count; p++)
         if (!read_point(src, s, p)) return false;
     snprintf(expected, sizeof expected, "'end' after %u points", s->grid.point_count);
-    return (src_take(src, "end") || src_expected(src, expected)) && src_end_line(src) &&
-           next_record(src) && (src->eof || src_expected(src, "nothing after 'end'"));
+    return record_end(src, expected);
 }
 
-static bool read_all(struct reader *r, struct spline *s) {
-    return read_first(r) && read_degree(r) && read_plane(r) && read_lattice(r) && read_depth(r) &&
+static bool read_all(struct reader *r, struct grid_file *file) {
+    struct spline *s = &file->spline;
+    return record_first(&r->src, "grid", &file->history) && read_degree(r) && read_plane(r) && read_lattice(r) && read_depth(r) &&
            read_vertices(r) && read_triangles(r) && build(r) && read_points(r, s);
 }
 
@@ -245,12 +195,11 @@ bool grid_read(struct grid_file *file, const char *path, struct err *err) {
     bool ok;
     *file = (struct grid_file){0};
     if (!src_open(&r.src, path, err)) return false;
-    ok = mem_grow(r.history, &r.history_cap, 1, &r.src.err);
-    if (ok) r.history[0] = '\0';
-    ok = ok && read_all(&r, &file->spline);
-    if (!ok) *err = r.src.err;
-    file->history = r.history;
-    if (!ok) grid_file_free(file);
+    ok = read_all(&r, file);
+    if (!ok) {
+        *err = r.src.err;
+        grid_file_free(file);
+    }
     grid_free(&r.grid);
     free(r.vertex_line);
     free(r.triangle_line);
@@ -275,7 +224,6 @@ static void write_numbers(struct out *out, const char *before, const double *x, 
 
 static void write_frame(struct out *out, const struct grid *g) {
     const struct lattice *l = &g->lattice;
-    out_format(out, "degree %d\n", g->degree);
     if (g->axes[0] != 0 || g->axes[1] != 1)
         out_format(out, "plane %c%c\n", "xyz"[g->axes[0]], "xyz"[g->axes[1]]);
     if (l->step != 1 || l->x0 != 0 || l->y0 != 0) {
@@ -304,17 +252,32 @@ static void write_triangulation(struct out *out, const struct grid *g) {
         }
 }
 
+/* All that the domain is, but the degree of the splines on it. */
+static void write_domain(struct out *out, const struct grid *g) {
+    write_frame(out, g);
+    write_triangulation(out, g);
+}
+
+static void add_to_checksum(void *context, const char *bytes, size_t length) {
+    uLong *sum = context;
+    *sum = crc32_z(*sum, (const Bytef *)bytes, length);
+}
+
+bool grid_checksum(const struct grid *g, uint32_t *checksum, struct err *err) {
+    uLong sum = crc32_z(0, NULL, 0);
+    struct out out;
+    if (!out_open_sink(&out, add_to_checksum, &sum, err)) return false;
+    write_domain(&out, g);
+    if (!out_close(&out, err)) return false;
+    *checksum = (uint32_t)sum;
+    return true;
+}
+
 void grid_write(struct out *out, const struct grid_file *file, const char *added, int digits) {
     const struct spline *s = &file->spline;
-    out_text(out, "grid 1\n");
-    if (file->history) out_text(out, file->history);
-    if (added) {
-        out_text(out, "# ");
-        out_text(out, added);
-        out_char(out, '\n');
-    }
-    write_frame(out, &s->grid);
-    write_triangulation(out, &s->grid);
+    record_write_first(out, "grid", file->history, added);
+    out_format(out, "degree %d\n", s->grid.degree);
+    write_domain(out, &s->grid);
     out_format(out, "points %u\n", s->grid.point_count);
     for (uint32_t p = 0; p < s->grid.point_count; p++) {
         write_numbers(out, "", s->phi[p], 2, digits);

@@ -23,4 +23,9 @@ void grid_file_free(struct grid_file *file);
  * Reading and writing a canonical file gives the same bytes. */
 void grid_write(struct out *out, const struct grid_file *file, const char *added, int digits);
 
+/* The checksum of the domain: the CRC-32 (zlib) of the lines from `plane` to the last triangle as
+ * grid_write writes them, newlines included. So a default plane or lattice, which has no line,
+ * adds nothing, and neither do degree, history and control points. O(n) time, O(1) memory. */
+bool grid_checksum(const struct grid *g, uint32_t *checksum, struct err *err) WARN_UNUSED;
+
 #endif

@@ -52,7 +52,18 @@ bool out_open(struct out *out, const char *path, struct err *err) {
     return false;
 }
 
+bool out_open_sink(struct out *out, void (*sink)(void *context, const char *bytes, size_t length),
+                   void *context, struct err *err) {
+    *out = (struct out){.fd = -1, .sink = sink, .context = context};
+    out->buf = mem_alloc(ROOM, 1, err);
+    return out->buf != NULL;
+}
+
 static void write_all(struct out *out, const char *bytes, size_t length) {
+    if (out->sink) {
+        out->sink(out->context, bytes, length);
+        return;
+    }
     while (length > 0 && !out->err.kind) {
         ssize_t done = write(out->fd, bytes, length);
         if (done < 0 && errno == EINTR) continue;
@@ -111,7 +122,7 @@ void out_format(struct out *out, const char *format, ...) {
 
 bool out_close(struct out *out, struct err *err) {
     flush(out);
-    if (close(out->fd) < 0 && !out->err.kind) err_system(&out->err, "write", name_of(out));
+    if (!out->sink && close(out->fd) < 0 && !out->err.kind) err_system(&out->err, "write", name_of(out));
     out->fd = -1;
     if (!out->err.kind && out->temp) {
         if (rename(out->temp, out->path) < 0)

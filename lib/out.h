@@ -16,10 +16,16 @@ struct out {
     char *path, *temp; /* NULL: stdout */
     char *buf;
     size_t used;
+    void (*sink)(void *context, const char *bytes, size_t length); /* NULL: fd */
+    void *context;
 };
 
 /* NULL or "-" is stdout. Ended by out_close or out_discard. */
 bool out_open(struct out *out, const char *path, struct err *err) WARN_UNUSED;
+
+/* What is written goes to a function instead of a file, a checksum for example. */
+bool out_open_sink(struct out *out, void (*sink)(void *context, const char *bytes, size_t length),
+                   void *context, struct err *err) WARN_UNUSED;
 
 void out_bytes(struct out *out, const char *bytes, size_t length);
 void out_text(struct out *out, const char *text);
