@@ -4,30 +4,34 @@
 #include <math.h>
 #include <string.h>
 
-bool deform_init(struct deform *d, const struct spline *s, struct err *err) {
-    *d = (struct deform){.spline = s};
-    if (locator_init(&d->locator, &s->grid, err) && spline_cursor_init(&d->cursor, s, err))
+bool deform_init(struct deform *d, const struct spline *s, const struct frame *frame,
+                 const struct place *places, struct err *err) {
+    *d = (struct deform){.spline = s, .frame = *frame, .places = places};
+    if (spline_cursor_init(&d->cursor, s, err) &&
+        (places || placer_init(&d->placer, &s->grid, frame, err)))
         return true;
     deform_free(d);
     return false;
 }
 
 void deform_free(struct deform *d) {
-    locator_free(&d->locator);
+    placer_free(&d->placer);
     spline_cursor_free(&d->cursor);
     *d = (struct deform){0};
 }
 
-bool deform_point(struct deform *d, const double point[3], double result[3],
+bool deform_point(struct deform *d, size_t i, const double point[3], double result[3],
                   double jacobian[3][3]) {
-    const struct grid *g = &d->spline->grid;
-    const int *axes = g->axes;
-    double p[3], value[3], inner[3][3], b[3];
-    uint32_t t;
+    const int *axes = d->frame.axes;
+    double p[3], value[3], inner[3][3];
+    struct place found;
+    const struct place *place = d->places ? &d->places[i] : &found;
+    if (d->places ? place->triangle == GRID_NONE : !placer_find(&d->placer, point, &found))
+        return false;
     for (int c = 0; c < 3; c++) p[c] = point[axes[c]];
-    if (g->has_depth && !(p[2] >= g->depth[0] && p[2] <= g->depth[1])) return false;
-    if (!locate(&d->locator, p, &d->hint, &t, b)) return false;
-    spline_cursor_evaluate(&d->cursor, t, b, p, value, jacobian ? inner : NULL);
+    spline_cursor_evaluate(&d->cursor, place->triangle, place->b, p, value,
+                           jacobian ? inner : NULL);
+    if (!d->frame.has_depth) value[2] = p[2];
     for (int r = 0; r < 3; r++) {
         result[axes[r]] = value[r];
         for (int c = 0; jacobian && c < 3; c++) jacobian[axes[r]][axes[c]] = inner[r][c];
@@ -35,20 +39,33 @@ bool deform_point(struct deform *d, const double point[3], double result[3],
     return true;
 }
 
-bool deform_points(struct deform *d, size_t n, double (*points)[3], double (*results)[3],
-                   size_t *outside, size_t *first) {
-    *outside = 0;
-    for (size_t i = 0; i < n; i++) {
-        double image[3];
-        if (!deform_point(d, points[i], image, NULL)) {
-            if ((*outside)++ == 0) *first = i;
-            memcpy(image, points[i], sizeof image);
+/* The derivative of phi, row by row, and its determinant. */
+static void plane_gradient(const int axes[3], double jacobian[3][3], double gradient[5]) {
+    for (int r = 0; r < 2; r++)
+        for (int c = 0; c < 2; c++) gradient[2 * r + c] = jacobian[axes[r]][axes[c]];
+    gradient[4] = gradient[0] * gradient[3] - gradient[1] * gradient[2];
+}
+
+static bool all_finite(const double *x, int n) {
+    for (int i = 0; i < n; i++)
+        if (!isfinite(x[i])) return false;
+    return true;
+}
+
+bool deform_points(struct deform *d, struct deform_batch *batch) {
+    batch->outside = 0;
+    for (size_t i = 0; i < batch->count; i++) {
+        double image[3], jacobian[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        if (!deform_point(d, i, batch->points[i], image, batch->gradient ? jacobian : NULL)) {
+            if (batch->outside++ == 0) batch->first = i;
+            memcpy(image, batch->points[i], sizeof image);
         }
-        if (!isfinite(image[0]) || !isfinite(image[1]) || !isfinite(image[2])) {
-            *first = i;
+        if (batch->gradient) plane_gradient(d->frame.axes, jacobian, batch->gradient[i]);
+        if (!all_finite(image, 3) || (batch->gradient && !all_finite(batch->gradient[i], 5))) {
+            batch->first = i;
             return false;
         }
-        memcpy(results[i], image, sizeof image);
+        memcpy(batch->images[i], image, sizeof image);
     }
     return true;
 }

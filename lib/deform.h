@@ -1,35 +1,47 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* deform - a spline deformation applied to points and normals of a model, in the model's own axes.
  *
- * The grid's `axes` say which model coordinates are its x, y and depth; results come back in the
- * model's order. Outside are points outside the triangulation or, with depth, outside [a,b]. */
+ * Points have numbers, so that their places in the grid may be known beforehand; otherwise they are
+ * found here, with the same results bit for bit. Outside nothing moves. */
 #ifndef DEFORM_H
 #define DEFORM_H
 
-#include "locate.h"
+#include "place.h"
 #include "spline.h"
 
 struct deform {
     const struct spline *spline; /* borrowed, unchanged while the struct lives */
+    struct frame frame;
     /* private */
-    struct locator locator;
+    const struct place *places;
+    struct placer placer;
     struct spline_cursor cursor;
-    uint32_t hint;
 };
 
-bool deform_init(struct deform *d, const struct spline *s, struct err *err) WARN_UNUSED;
+/* Of points in this frame. `places` of all points, by their numbers, are borrowed; NULL: find them.
+ */
+bool deform_init(struct deform *d, const struct spline *s, const struct frame *frame,
+                 const struct place *places, struct err *err) WARN_UNUSED;
 void deform_free(struct deform *d);
 
-/* The image of a point and, unless NULL, the derivative there, jacobian[r][c] = d result_r / d
- * point_c. False: the point lies outside; nothing is set. The result may overflow to infinity. Fast
- * for points that lie near the one before; the answer does not depend on it. */
-bool deform_point(struct deform *d, const double point[3], double result[3], double jacobian[3][3]);
+/* The image of point number i and, unless NULL, the derivative there, jacobian[r][c] = d result_r /
+ * d point_c. False: the point lies outside; nothing is set. The result may overflow to infinity.
+ * Fast for points that lie near the one before; the answer does not depend on it. */
+bool deform_point(struct deform *d, size_t i, const double point[3], double result[3],
+                  double jacobian[3][3]);
 
-/* The images of n points; those outside stay where they are and are counted in *outside, *first is
- * the first of them. False: the image of point *first is not finite. points and results may be the
- * same array. */
-bool deform_points(struct deform *d, size_t n, double (*points)[3], double (*results)[3],
-                   size_t *outside, size_t *first);
+/* Many points at once. Those outside stay where they are, with the derivative of the identity. */
+struct deform_batch {
+    size_t count;
+    double (*points)[3], (*images)[3]; /* may be the same array */
+    double (*gradient)[5]; /* NULL, or phi's dx/dx, dx/dy, dy/dx, dy/dy in the grid's axes, and
+                              their determinant */
+    size_t outside;        /* set: how many, and the first of them */
+    size_t first;
+};
+
+/* False: what point number `first` is mapped to is not finite. */
+bool deform_points(struct deform *d, struct deform_batch *batch);
 
 /* The image of a surface normal: the inverse transpose of the Jacobian times the normal, with the
  * normal's own length. It stays on the side of the surface that it was on, also where the map

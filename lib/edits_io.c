@@ -287,7 +287,8 @@ bool edits_read(struct script *script, const char *path, struct err *err) {
 bool edits_parse(struct script *script, const char *name, const char *text, size_t length,
                  struct err *err) {
     struct parser p = {0};
-    return src_open_text(&p.src, name, text, length, err) && parse_all_of(&p, script, false, err);
+    src_open_text(&p.src, name, text, length);
+    return parse_all_of(&p, script, false, err);
 }
 
 /* ---- writing ---- */

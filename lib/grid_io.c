@@ -158,26 +158,13 @@ static bool read_point(struct src *src, struct spline *s, uint32_t p) {
            src_end_line(src) && record_next(src);
 }
 
-/* The count after `points`, which follows from the grid. */
-static bool read_point_count(struct reader *r) {
-    struct src *src = &r->src;
-    char expected[96];
-    const char *before = src->at;
-    int64_t count;
-    if (!src_int(src, "a number of points", INT64_MIN, INT64_MAX, &count)) return false;
-    if (count != r->grid.point_count) {
-        src->at = before;
-        snprintf(expected, sizeof expected, "%u, the number of control points of this grid",
-                 r->grid.point_count);
-        return src_expected(src, expected);
-    }
-    return src_end_line(src) && record_next(src);
-}
-
 static bool read_points(struct reader *r, struct spline *s) {
     struct src *src = &r->src;
     char expected[64];
-    if (!read_point_count(r) || !spline_allocate(s, &r->grid, &src->err)) return false;
+    if (!record_exact_count(src, "points", r->grid.point_count,
+                            "the number of control points of this grid") ||
+        !spline_allocate(s, &r->grid, &src->err))
+        return false;
     for (uint32_t p = 0; p < s->grid.point_count; p++)
         if (!read_point(src, s, p)) return false;
     snprintf(expected, sizeof expected, "'end' after %u points", s->grid.point_count);
@@ -186,8 +173,9 @@ static bool read_points(struct reader *r, struct spline *s) {
 
 static bool read_all(struct reader *r, struct grid_file *file) {
     struct spline *s = &file->spline;
-    return record_first(&r->src, "grid", &file->history) && read_degree(r) && read_plane(r) && read_lattice(r) && read_depth(r) &&
-           read_vertices(r) && read_triangles(r) && build(r) && read_points(r, s);
+    return record_first(&r->src, "grid", &file->history) && read_degree(r) && read_plane(r) &&
+           read_lattice(r) && read_depth(r) && read_vertices(r) && read_triangles(r) && build(r) &&
+           read_points(r, s);
 }
 
 bool grid_read(struct grid_file *file, const char *path, struct err *err) {

@@ -122,7 +122,8 @@ void out_format(struct out *out, const char *format, ...) {
 
 bool out_close(struct out *out, struct err *err) {
     flush(out);
-    if (!out->sink && close(out->fd) < 0 && !out->err.kind) err_system(&out->err, "write", name_of(out));
+    if (!out->sink && close(out->fd) < 0 && !out->err.kind)
+        err_system(&out->err, "write", name_of(out));
     out->fd = -1;
     if (!out->err.kind && out->temp) {
         if (rename(out->temp, out->path) < 0)

@@ -147,11 +147,11 @@ bool points_is_word(const char *word) {
 }
 
 bool points_parse_word(struct script *script, const char *word, struct err *err) {
-    struct src src = {0};
+    struct src src;
     const char *got;
     size_t length;
     bool ok;
-    if (!src_open_text(&src, "POINTS", word, strlen(word), err)) return false;
+    src_open_text(&src, "POINTS", word, strlen(word));
     src_line(&src);
     ok = src_word(&src, &got, &length) ? points_parse(&src, script, got, length, "POINTS")
                                        : src_expected(&src, "POINTS");

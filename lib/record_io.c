@@ -60,6 +60,20 @@ bool record_count(struct src *src, const char *name, const char *expected, int64
     return record_next(src);
 }
 
+bool record_exact_count(struct src *src, const char *name, uint32_t count, const char *meaning) {
+    const char *before = src->at;
+    char what[128];
+    int64_t n = 0;
+    snprintf(what, sizeof what, "a number of %s", name);
+    if (!src_int(src, what, INT64_MIN, INT64_MAX, &n)) return false;
+    if (n != count) {
+        src->at = before;
+        snprintf(what, sizeof what, "%u, %s", count, meaning);
+        return src_expected(src, what);
+    }
+    return src_end_line(src) && record_next(src);
+}
+
 bool record_end(struct src *src, const char *expected) {
     return (src_take(src, "end") || src_expected(src, expected)) && src_end_line(src) &&
            record_next(src) && (src->eof || src_expected(src, "nothing after 'end'"));

@@ -21,6 +21,9 @@ bool record_first(struct src *src, const char *name, char **history);
 bool record_count(struct src *src, const char *name, const char *expected, int64_t lo, int64_t hi,
                   uint32_t *count);
 
+/* The COUNT of "NAME COUNT" where there is only one right one, which `meaning` explains. */
+bool record_exact_count(struct src *src, const char *name, uint32_t count, const char *meaning);
+
 /* "end", and nothing after it. */
 bool record_end(struct src *src, const char *expected);
 

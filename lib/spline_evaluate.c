@@ -11,6 +11,7 @@
 
 #include "bernstein.h"
 #include "mem.h"
+#include "place.h"
 
 enum { COMPONENTS_MAX = 4 };
 
@@ -77,9 +78,7 @@ static void evaluate_patch(const struct spline *s, uint32_t t, const double *pat
     value[1] = moved(p[1], d[1]);
     value[2] = p[2];
     if (s->sigma) {
-        const double *depth = s->grid.depth;
-        a[0] = (depth[1] - p[2]) / (depth[1] - depth[0]);
-        a[1] = (p[2] - depth[0]) / (depth[1] - depth[0]);
+        depth_weights(s->grid.depth, p[2], a);
         value[2] = moved(p[2], a[0] * d[2] + a[1] * d[3]);
     }
     if (jacobian) derivative(s, t, gradient, d, a, jacobian);

@@ -31,9 +31,8 @@ struct src {
 /* Opens a file; NULL or "-" is stdin, called "<stdin>". The path is borrowed. */
 bool src_open(struct src *src, const char *path, struct err *err) WARN_UNUSED;
 
-/* Reads text in memory; name and text are borrowed. */
-bool src_open_text(struct src *src, const char *name, const char *text, size_t length,
-                   struct err *err) WARN_UNUSED;
+/* Reads text in memory; name and text are borrowed, and lines and words lie in the text itself. */
+void src_open_text(struct src *src, const char *name, const char *text, size_t length);
 void src_close(struct src *src);
 
 /* Goes to the next line, comment or blank alike (at == end then). False at the end or on error. */

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* deform-mesh - applies the deformation of a grid to an OBJ model. */
+/* deform-mesh - applies the deformation of a grid to an OBJ model or a list of points. */
+#include "bary_io.h"
 #include "cli.h"
 #include "deform.h"
-#include "filemap.h"
 #include "grid_io.h"
+#include "list_io.h"
 #include "mem.h"
-#include "num.h"
 #include "obj_copy.h"
 
 #include <string.h>
@@ -14,6 +14,9 @@ static const struct cli_option options[] = {
     {256, "outside", "WHAT", "vertices outside the grid: error (default) or keep"},
     {257, "normals", "WHAT", "transform (default), drop or keep"},
     {258, "digits", "N", "significant digits, 1..17 (default: shortest exact)"},
+    {260, "bary", "FILE", "take the places of the vertices from FILE, see bary(1)"},
+    {261, "format", "WHAT", "MODEL is obj, xy or xyz (default: by its name, else obj)"},
+    {262, "jacobian", NULL, "append the derivatives of phi and their determinant to points"},
     {259, "plane", "AXES", "insist that this is the grid's plane, e.g. zy"},
     {'o', "output", "FILE", "write to FILE instead of stdout"},
     {0, NULL, NULL, NULL},
@@ -33,9 +36,10 @@ static const struct cli_program program = {
 struct settings {
     int outside, normals;
     int64_t digits;
-    bool has_plane;
+    int format; /* enum vertices_format, once the name is known */
+    bool has_plane, jacobian;
     int axes[3];
-    const char *output;
+    const char *bary, *output;
 };
 
 enum { OUTSIDE_ERROR, OUTSIDE_KEEP };
@@ -46,6 +50,18 @@ static const char *const normals_names[] = {"transform", "drop", "keep",
 static bool parse_plane(const struct cli *cli, struct settings *set, struct err *err) {
     set->has_plane = grid_axes(cli->value, strlen(cli->value), set->axes);
     return set->has_plane || cli_bad_value(cli, err, "two of the letters x, y, z");
+}
+
+/* What no single option can know. */
+static bool check(const struct cli *cli, struct settings *set, struct err *err) {
+    bool standard = strcmp(cli_operand(cli, 0), "-") == 0 || strcmp(cli_operand(cli, 1), "-") == 0;
+    set->format = (int)vertices_format(set->format, cli_operand(cli, 0));
+    if (set->bary && strcmp(set->bary, "-") == 0 && standard)
+        return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", program.name);
+    if (set->jacobian && set->format == VERTICES_OBJ)
+        return err_set(err, ERR_USAGE, "--jacobian is for lists of points; try %s --help",
+                       program.name);
+    return true;
 }
 
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
@@ -65,6 +81,15 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
         case 259:
             ok = parse_plane(cli, set, err);
             break;
+        case 260:
+            set->bary = cli->value;
+            break;
+        case 261:
+            ok = cli_choice(cli, vertices_format_names, &set->format, err);
+            break;
+        case 262:
+            set->jacobian = true;
+            break;
         case 'o':
             set->output = cli->value;
             break;
@@ -72,7 +97,7 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
             return false;
         }
     }
-    return ok && cli_check_operands(cli, 1, 2, err);
+    return ok && cli_check_operands(cli, 1, 2, err) && check(cli, set, err);
 }
 
 /* What a run holds; released by close_job. */
@@ -80,103 +105,117 @@ struct job {
     const struct cli *cli;
     const struct settings *set;
     struct grid_file grid;
-    struct filemap file;
-    struct obj_points points;
+    struct vertices vertices;
+    struct bary bary;
     struct deform deform;
-    double (*result)[3]; /* points.vertex itself unless the old positions are still needed */
+    double (*image)[3];    /* the vertices themselves unless the old ones are still needed */
+    double (*gradient)[5]; /* for --jacobian, else NULL */
     struct obj_normals normals;
 };
 
 static bool read_inputs(struct job *job, struct err *err) {
     const struct settings *set = job->set;
-    const char *path = cli_operand(job->cli, 1);
     const int *axes;
-    if (!grid_read(&job->grid, path, err)) return false;
+    if (!grid_read(&job->grid, cli_operand(job->cli, 1), err)) return false;
     axes = job->grid.spline.grid.axes;
     if (set->has_plane && (axes[0] != set->axes[0] || axes[1] != set->axes[1]))
         return err_set(err, ERR_INPUT, "the plane of the grid is %c%c, not %c%c", "xyz"[axes[0]],
                        "xyz"[axes[1]], "xyz"[set->axes[0]], "xyz"[set->axes[1]]);
-    return filemap_open(&job->file, cli_operand(job->cli, 0), err) &&
-           obj_points_read(&job->points, &job->file, err);
+    return vertices_open(&job->vertices, cli_operand(job->cli, 0),
+                         (enum vertices_format)set->format, err);
 }
 
-/* Refuses the model because of a vertex; `outside` of them lie outside, or none: an overflow. */
-static bool refuse(const struct job *job, size_t vertex, size_t outside, struct err *err) {
-    const double *x = job->points.vertex[vertex];
-    size_t line = obj_points_line(&job->file, vertex);
-    char text[3][NUM_TEXT_MAX + 1] = {{0}};
-    for (int c = 0; c < 3; c++) num_print(text[c], x[c], 0);
-    if (outside == 0)
-        return err_set_at(err, ERR_REFUSAL, job->file.name, line, 0,
-                          "the image of vertex %zu at %s %s %s exceeds the range of numbers",
-                          vertex + 1, text[0], text[1], text[2]);
-    return err_set_at(err, ERR_REFUSAL, job->file.name, line, 0,
-                      "%zu of %zu vertices outside the grid; the first is vertex %zu at %s %s %s",
-                      outside, job->points.vertex_count, vertex + 1, text[0], text[1], text[2]);
+/* Makes job->deform, with places that are known or without. */
+static bool place(struct job *job, struct err *err) {
+    const struct spline *s = &job->grid.spline;
+    struct frame frame = vertices_frame(&job->vertices, &s->grid);
+    struct bary_key key;
+    if (job->set->bary && (!bary_key(&key, &s->grid, &job->vertices, err) ||
+                           !bary_read(&job->bary, job->set->bary, &key, err)))
+        return false;
+    return deform_init(&job->deform, s, &frame, job->bary.place, err);
 }
 
 /* Old positions stay where normals need derivatives at them. */
-static bool deform_vertices(struct job *job, struct err *err) {
-    struct obj_points *p = &job->points;
-    size_t outside, first = 0;
-    job->result = p->vertex;
+static bool deform(struct job *job, struct err *err) {
+    struct obj_points *p = &job->vertices.points;
+    struct deform_batch batch = {.count = p->vertex_count, .points = p->vertex};
+    job->image = p->vertex;
     if (job->set->normals == OBJ_NORMALS_TRANSFORM && p->normal_count > 0 &&
-        !mem_new(job->result, p->vertex_count, err))
+        !mem_new(job->image, p->vertex_count, err))
         return false;
-    if (!deform_points(&job->deform, p->vertex_count, p->vertex, job->result, &outside, &first))
-        return refuse(job, first, 0, err);
-    if (outside > 0 && job->set->outside == OUTSIDE_ERROR) return refuse(job, first, outside, err);
+    if (job->set->jacobian && !mem_new(job->gradient, p->vertex_count, err)) return false;
+    batch.images = job->image;
+    batch.gradient = job->gradient;
+    if (!deform_points(&job->deform, &batch))
+        return vertices_refuse_image(&job->vertices, batch.first, err);
+    if (batch.outside > 0 && job->set->outside == OUTSIDE_ERROR)
+        return vertices_refuse(&job->vertices, batch.outside, batch.first, err);
     return true;
 }
 
 /* Turns a normal of the model at a vertex. Outside nothing moves. */
 static bool turn(void *context, size_t vertex, const double normal[3], double result[3]) {
     struct job *job = context;
+    const double *point = job->vertices.points.vertex[vertex];
     double image[3], jacobian[3][3];
     memcpy(result, normal, 3 * sizeof *result);
-    if (!deform_point(&job->deform, job->points.vertex[vertex], image, jacobian)) return true;
+    if (!deform_point(&job->deform, vertex, point, image, jacobian)) return true;
     return deform_normal(jacobian, normal, result);
 }
 
 static bool plan_normals(struct job *job, struct err *err) {
     struct obj_normals *n = &job->normals;
-    if (job->set->normals == OBJ_NORMALS_DROP) return obj_normals_check(&job->file, err);
-    if (job->set->normals == OBJ_NORMALS_KEEP) return true;
-    if (!obj_normals_plan(n, &job->file, &job->points, turn, job, err)) return false;
+    const struct vertices *v = &job->vertices;
+    if (v->format != VERTICES_OBJ || job->set->normals == OBJ_NORMALS_KEEP) return true;
+    if (job->set->normals == OBJ_NORMALS_DROP) return obj_normals_check(&v->file, err);
+    if (!obj_normals_plan(n, &v->file, &v->points, turn, job, err)) return false;
     if (n->stuck_count > 0)
         cli_note(job->cli,
                  "warning: normals kept at %zu vertices where the Jacobian is singular; "
                  "the first is vertex %zu, line %zu of %s",
-                 n->stuck_count, n->stuck_first + 1, obj_points_line(&job->file, n->stuck_first),
-                 job->file.name);
+                 n->stuck_count, n->stuck_first + 1, vertices_line(v, n->stuck_first),
+                 v->file.name);
     return true;
 }
 
-static bool print(struct job *job, struct err *err) {
-    const struct obj_change change = {.vertex = job->result,
+static bool copy_model(const struct job *job, struct out *out, struct err *err) {
+    const struct vertices *v = &job->vertices;
+    const struct obj_change change = {.vertex = job->image,
                                       .normals = (enum obj_normal_mode)job->set->normals,
                                       .plan = &job->normals,
                                       .digits = (int)job->set->digits};
+    const struct list_change list_change = {.columns = vertices_columns(v),
+                                            .point = job->image,
+                                            .further = job->gradient,
+                                            .digits = (int)job->set->digits};
+    return v->format == VERTICES_OBJ
+               ? obj_copy(out, &v->file, &v->points, &change, err)
+               : list_copy(out, &v->file, v->points.vertex_count, &list_change, err);
+}
+
+static bool print(const struct job *job, struct err *err) {
     struct out out;
     if (!out_open(&out, job->set->output, err)) return false;
-    if (obj_copy(&out, &job->file, &job->points, &change, err)) return out_close(&out, err);
+    if (copy_model(job, &out, err)) return out_close(&out, err);
     out_discard(&out);
     return false;
 }
 
 static void close_job(struct job *job) {
-    if (job->result != job->points.vertex) free(job->result);
+    if (job->image != job->vertices.points.vertex) free(job->image);
+    free(job->gradient);
     obj_normals_free(&job->normals);
     deform_free(&job->deform);
-    obj_points_free(&job->points);
-    filemap_close(&job->file);
+    bary_free(&job->bary);
+    vertices_close(&job->vertices);
     grid_file_free(&job->grid);
 }
 
 static bool run(const struct cli *cli, const struct settings *set, struct err *err) {
     struct job job = {.cli = cli, .set = set};
-    bool ok = read_inputs(&job, err) && deform_init(&job.deform, &job.grid.spline, err) &&
-              deform_vertices(&job, err) && plan_normals(&job, err) && print(&job, err);
+    bool ok = read_inputs(&job, err) && place(&job, err) && deform(&job, err) &&
+              plan_normals(&job, err) && print(&job, err);
     close_job(&job);
     return ok;
 }
@@ -184,7 +223,7 @@ static bool run(const struct cli *cli, const struct settings *set, struct err *e
 int main(int argc, char **argv) {
     struct err err = {0};
     struct cli cli;
-    struct settings set = {0};
+    struct settings set = {.format = VERTICES_BY_NAME};
     cli_init(&cli, &program, argc, argv);
     if (parse(&cli, &set, &err)) (void)run(&cli, &set, &err);
     return cli_finish(&cli, &err);

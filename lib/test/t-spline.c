@@ -267,6 +267,13 @@ static void cursor_is_the_same(void **unused) {
 }
 
 /* All six planes: the point moves as in the frame xy, its coordinates permuted. */
+/* For points of a model, nothing known about their places. */
+static bool init(struct deform *d, const struct spline *s) {
+    struct frame frame = frame_of_model(&s->grid);
+    struct err err = {0};
+    return deform_init(d, s, &frame, NULL, &err);
+}
+
 static void planes(void **unused) {
     static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
                                     {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -276,24 +283,23 @@ static void planes(void **unused) {
         struct polynomial f[4];
         struct spline s;
         struct deform d;
-        struct err err = {0};
         for (int m = 0; m < 4; m++) random_polynomial(&f[m], 3, &state);
         make_spline(&s, f, &fine, 3, i % 2, seed);
         memcpy(s.grid.axes, axes, sizeof s.grid.axes);
-        assert_true(deform_init(&d, &s, &err));
+        assert_true(init(&d, &s));
         for (int n = 0; n < 20; n++) {
             double p[3], b[3], model[3], image[3], turned[3][3], value[3], jacobian[3][3];
             uint32_t t;
             if (!random_point(&s, &state, p, &t, b)) continue;
             for (int k = 0; k < 3; k++) model[axes[k]] = p[k];
-            check_seed(seed, deform_point(&d, model, image, turned));
+            check_seed(seed, deform_point(&d, 0, model, image, turned));
             for (int r = 0; r < 3; r++) {
                 value[r] = image[axes[r]];
                 for (int c = 0; c < 3; c++) jacobian[r][c] = turned[axes[r]][axes[c]];
             }
             check_polynomial_point(f, p, i % 2, value, jacobian, seed);
             model[axes[2]] = 4.6;
-            check_seed(seed, deform_point(&d, model, image, NULL) == !s.grid.has_depth);
+            check_seed(seed, deform_point(&d, 0, model, image, NULL) == !s.grid.has_depth);
         }
         deform_free(&d);
         spline_free(&s);
@@ -306,15 +312,16 @@ static void deform_overflow_and_outside(void **unused) {
     struct deform d;
     struct err err = {0};
     double points[3][3] = {{0, 0, 0}, {1e9, 0, 0}, {0, 0, 0}}, images[3][3], b[3];
-    size_t outside, first;
+    struct deform_batch batch = {.count = 3, .points = points, .images = images};
     uint32_t t;
     uint64_t state = 7;
     make_spline(&s, NULL, &fine, 2, false, 7);
     while (!random_point(&s, &state, points[0], &t, b)) continue;
     memcpy(points[2], points[0], sizeof *points);
-    assert_true(deform_init(&d, &s, &err));
-    assert_true(deform_points(&d, 3, points, images, &outside, &first));
-    assert_true(outside == 1 && first == 1 && memcmp(points, images, sizeof points) == 0);
+    assert_true(init(&d, &s));
+    assert_true(deform_points(&d, &batch));
+    assert_true(batch.outside == 1 && batch.first == 1 &&
+                memcmp(points, images, sizeof points) == 0);
     deform_free(&d);
     s.grid.has_depth = true;
     s.grid.depth[0] = 1;
@@ -323,14 +330,14 @@ static void deform_overflow_and_outside(void **unused) {
     for (uint32_t p = 0; p < s.grid.point_count; p++) s.sigma[p][0] = s.sigma[p][1] = 1e300;
     points[0][2] = 1.5;
     points[2][2] = 5;
-    assert_true(deform_init(&d, &s, &err));
-    assert_true(deform_points(&d, 3, points, images, &outside, &first));
-    assert_true(outside == 2 && first == 1 && images[0][2] > 9e299);
+    assert_true(init(&d, &s));
+    assert_true(deform_points(&d, &batch));
+    assert_true(batch.outside == 2 && batch.first == 1 && images[0][2] > 9e299);
     deform_free(&d);
-    assert_true(deform_init(&d, &s, &err));
+    assert_true(init(&d, &s));
     for (uint32_t p = 0; p < s.grid.point_count; p++) d.cursor.shift[4 * p + 3] = HUGE_VAL;
-    assert_false(deform_points(&d, 3, points, images, &outside, &first));
-    assert_int_equal(first, 0);
+    assert_false(deform_points(&d, &batch));
+    assert_int_equal(batch.first, 0);
     deform_free(&d);
     spline_free(&s);
     (void)unused;
