@@ -104,8 +104,9 @@ static bool read_inside(struct reader *r, struct place *place) {
     coordinates = src->at;
     if (!read_weights(src, "a barycentric coordinate in 0..1", 3, b)) return false;
     if (b[0] + b[1] + b[2] == 1) return true;
-    src->at = coordinates;
-    return src_expected(src, "three barycentric coordinates whose sum is 1");
+    return src_fail(src, coordinates + 1,
+                    "expected barycentric coordinates whose sum is 1, got %.17g",
+                    b[0] + b[1] + b[2]);
 }
 
 static bool has_word(const struct src *src) {

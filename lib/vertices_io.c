@@ -70,7 +70,7 @@ bool vertices_refuse(const struct vertices *v, size_t outside, size_t first, str
                       v->points.vertex_count, word(v, 2), word(v, 1), first + 1, x[0], x[1], z);
 }
 
-bool vertices_refuse_image(const struct vertices *v, size_t i, struct err *err) {
+bool vertices_refuse_result(const struct vertices *v, const char *what, size_t i, struct err *err) {
     return err_set_at(err, ERR_REFUSAL, v->file.name, vertices_line(v, i), 0,
-                      "the image of %s %zu exceeds the range of numbers", word(v, 1), i + 1);
+                      "%s of %s %zu exceeds the range of numbers", what, word(v, 1), i + 1);
 }

@@ -50,7 +50,7 @@ size_t vertices_line(const struct vertices *v, size_t i);
  * false. */
 bool vertices_refuse(const struct vertices *v, size_t outside, size_t first, struct err *err);
 
-/* The refusal of a vertex whose image is not finite. Always false. */
-bool vertices_refuse_image(const struct vertices *v, size_t i, struct err *err);
+/* The refusal of a vertex where `what`, for example "the image", is not finite. Always false. */
+bool vertices_refuse_result(const struct vertices *v, const char *what, size_t i, struct err *err);
 
 #endif

@@ -1,0 +1,1 @@
+bary --format stl m.stl g

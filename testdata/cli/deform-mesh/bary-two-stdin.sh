@@ -1,0 +1,1 @@
+deform-mesh --bary - m.obj

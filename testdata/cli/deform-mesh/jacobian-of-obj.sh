@@ -1,0 +1,1 @@
+deform-mesh --jacobian m.obj g
