@@ -2,10 +2,13 @@
 #include "vertices_io.h"
 
 #include "list_io.h"
+#include "num.h"
 
 #include <stdio.h>
 #include <string.h>
 #include <zlib.h>
+
+enum { DESCRIPTION_MAX = 64 + 3 * NUM_TEXT_MAX };
 
 const char *const vertices_format_names[] = {"obj", "xy", "xyz", NULL};
 
@@ -56,21 +59,29 @@ size_t vertices_line(const struct vertices *v, size_t i) {
                                      : list_line(&v->file, vertices_columns(v), i);
 }
 
-static const char *word(const struct vertices *v, size_t n) {
-    if (v->format == VERTICES_OBJ) return n == 1 ? "vertex" : "vertices";
-    return n == 1 ? "point" : "points";
+/* "NAME 7 at X Y Z", with all digits: rounded ones may look as if they were inside. */
+static void describe(const struct vertices *v, size_t i, char *text, size_t room) {
+    const char *name = v->format == VERTICES_OBJ ? "vertex" : "point";
+    char number[NUM_TEXT_MAX];
+    int n = snprintf(text, room, "%s %zu at", name, i + 1);
+    for (int c = 0; c < vertices_columns(v); c++) {
+        int length = (int)num_print(number, v->points.vertex[i][c], 0);
+        n += snprintf(text + n, room - (size_t)n, " %.*s", length, number);
+    }
 }
 
 bool vertices_refuse(const struct vertices *v, size_t outside, size_t first, struct err *err) {
-    const double *x = v->points.vertex[first];
-    char z[40] = "";
-    if (v->format != VERTICES_XY) snprintf(z, sizeof z, " %g", x[2]);
+    const char *names = v->format == VERTICES_OBJ ? "vertices" : "points";
+    char text[DESCRIPTION_MAX];
+    describe(v, first, text, sizeof text);
     return err_set_at(err, ERR_REFUSAL, v->file.name, vertices_line(v, first), 0,
-                      "%zu of %zu %s outside the grid; the first is %s %zu at %g %g%s", outside,
-                      v->points.vertex_count, word(v, 2), word(v, 1), first + 1, x[0], x[1], z);
+                      "%zu of %zu %s outside the grid; the first is %s", outside,
+                      v->points.vertex_count, names, text);
 }
 
 bool vertices_refuse_result(const struct vertices *v, const char *what, size_t i, struct err *err) {
+    char text[DESCRIPTION_MAX];
+    describe(v, i, text, sizeof text);
     return err_set_at(err, ERR_REFUSAL, v->file.name, vertices_line(v, i), 0,
-                      "%s of %s %zu exceeds the range of numbers", what, word(v, 1), i + 1);
+                      "%s of %s exceeds the range of numbers", what, text);
 }

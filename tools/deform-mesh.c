@@ -148,8 +148,9 @@ static bool deform(struct job *job, struct err *err) {
     batch.images = job->image;
     batch.gradient = job->gradient;
     if (!deform_points(&job->deform, &batch))
-        return vertices_refuse_result(
-            &job->vertices, job->gradient ? "image or derivative" : "the image", batch.first, err);
+        return vertices_refuse_result(&job->vertices,
+                                      job->gradient ? "the image or derivative" : "the image",
+                                      batch.first, err);
     if (batch.outside > 0 && job->set->outside == OUTSIDE_ERROR)
         return vertices_refuse(&job->vertices, batch.outside, batch.first, err);
     return true;
