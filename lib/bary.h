@@ -26,7 +26,8 @@ struct bary {
 
 /* Locates key.count vertices. */
 bool bary_locate(struct bary *bary, const struct bary_key *key, const struct grid *g,
-                 const struct frame *frame, double (*vertex)[3], struct err *err) WARN_UNUSED;
+                 const struct projection *projection, double (*vertex)[3],
+                 struct err *err) WARN_UNUSED;
 void bary_free(struct bary *bary); /* harmless on a zeroed struct */
 
 #endif

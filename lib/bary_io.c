@@ -14,7 +14,7 @@ bool bary_key(struct bary_key *key, const struct grid *g, const struct vertices 
     *key = (struct bary_key){.model = vertices_checksum(v),
                              .count = (uint32_t)v->points.vertex_count,
                              .triangle_count = g->triangle_count,
-                             .has_depth = vertices_frame(v, g).has_depth};
+                             .has_depth = vertices_projection(v, g).has_depth};
     return grid_checksum(g, &key->domain, err);
 }
 

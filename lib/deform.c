@@ -4,11 +4,11 @@
 #include <math.h>
 #include <string.h>
 
-bool deform_init(struct deform *d, const struct spline *s, const struct frame *frame,
+bool deform_init(struct deform *d, const struct spline *s, const struct projection *projection,
                  const struct place *places, struct err *err) {
-    *d = (struct deform){.spline = s, .frame = *frame, .places = places};
+    *d = (struct deform){.spline = s, .projection = *projection, .places = places};
     if (spline_cursor_init(&d->cursor, s, err) &&
-        (places || placer_init(&d->placer, &s->grid, frame, err)))
+        (places || placer_init(&d->placer, &s->grid, projection, err)))
         return true;
     deform_free(d);
     return false;
@@ -22,7 +22,7 @@ void deform_free(struct deform *d) {
 
 bool deform_point(struct deform *d, size_t i, const double point[3], double result[3],
                   double jacobian[3][3]) {
-    const int *axes = d->frame.axes;
+    const int *axes = d->projection.axes;
     double p[3], value[3], inner[3][3];
     struct place found;
     const struct place *place = d->places ? &d->places[i] : &found;
@@ -31,7 +31,7 @@ bool deform_point(struct deform *d, size_t i, const double point[3], double resu
     for (int c = 0; c < 3; c++) p[c] = point[axes[c]];
     spline_cursor_evaluate(&d->cursor, place->triangle, place->b, p, value,
                            jacobian ? inner : NULL);
-    if (!d->frame.has_depth) value[2] = p[2];
+    if (!d->projection.has_depth) value[2] = p[2];
     for (int r = 0; r < 3; r++) {
         result[axes[r]] = value[r];
         for (int c = 0; jacobian && c < 3; c++) jacobian[axes[r]][axes[c]] = inner[r][c];
@@ -60,7 +60,7 @@ bool deform_points(struct deform *d, struct deform_batch *batch) {
             if (batch->outside++ == 0) batch->first = i;
             memcpy(image, batch->points[i], sizeof image);
         }
-        if (batch->gradient) plane_gradient(d->frame.axes, jacobian, batch->gradient[i]);
+        if (batch->gradient) plane_gradient(d->projection.axes, jacobian, batch->gradient[i]);
         if (!all_finite(image, 3) || (batch->gradient && !all_finite(batch->gradient[i], 5))) {
             batch->first = i;
             return false;

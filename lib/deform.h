@@ -11,16 +11,17 @@
 
 struct deform {
     const struct spline *spline; /* borrowed, unchanged while the struct lives */
-    struct frame frame;
+    struct projection projection;
     /* private */
     const struct place *places;
     struct placer placer;
     struct spline_cursor cursor;
 };
 
-/* Of points in this frame. `places` of all points, by their numbers, are borrowed; NULL: find them.
+/* Of points under this projection. `places` of all points, by their numbers, are borrowed; NULL:
+ * find them.
  */
-bool deform_init(struct deform *d, const struct spline *s, const struct frame *frame,
+bool deform_init(struct deform *d, const struct spline *s, const struct projection *projection,
                  const struct place *places, struct err *err) WARN_UNUSED;
 void deform_free(struct deform *d);
 

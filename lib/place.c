@@ -4,15 +4,15 @@
 #include <math.h>
 #include <string.h>
 
-struct frame frame_of_model(const struct grid *g) {
-    struct frame f = {.has_depth = g->has_depth};
-    memcpy(f.axes, g->axes, sizeof f.axes);
-    memcpy(f.depth, g->depth, sizeof f.depth);
-    return f;
+struct projection projection_of_model(const struct grid *g) {
+    struct projection by = {.has_depth = g->has_depth};
+    memcpy(by.axes, g->axes, sizeof by.axes);
+    memcpy(by.depth, g->depth, sizeof by.depth);
+    return by;
 }
 
-struct frame frame_of_plane(void) {
-    return (struct frame){.axes = {0, 1, 2}};
+struct projection projection_of_plane(void) {
+    return (struct projection){.axes = {0, 1, 2}};
 }
 
 void depth_weights(const double depth[2], double z, double a[2]) {
@@ -27,9 +27,9 @@ void depth_weights(const double depth[2], double z, double a[2]) {
     }
 }
 
-bool placer_init(struct placer *p, const struct grid *g, const struct frame *frame,
+bool placer_init(struct placer *p, const struct grid *g, const struct projection *projection,
                  struct err *err) {
-    *p = (struct placer){.frame = *frame};
+    *p = (struct placer){.projection = *projection};
     return locator_init(&p->locator, g, err);
 }
 
@@ -38,10 +38,10 @@ void placer_free(struct placer *p) {
 }
 
 bool placer_find(struct placer *p, const double point[3], struct place *place) {
-    const struct frame *f = &p->frame;
-    const double xy[2] = {point[f->axes[0]], point[f->axes[1]]};
-    double z = point[f->axes[2]];
+    const struct projection *by = &p->projection;
+    const double xy[2] = {point[by->axes[0]], point[by->axes[1]]};
+    double z = point[by->axes[2]];
     place->triangle = GRID_NONE;
-    if (f->has_depth && !(z >= f->depth[0] && z <= f->depth[1])) return false;
+    if (by->has_depth && !(z >= by->depth[0] && z <= by->depth[1])) return false;
     return locate(&p->locator, xy, &p->hint, &place->triangle, place->b);
 }

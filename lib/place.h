@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* place - where points lie in a grid: the triangle, and barycentric coordinates in it.
  *
- * A frame says which coordinates of a point are the grid's x, y and depth. Outside are points
+ * A projection says which coordinates of a point are the grid's x, y and depth. Outside are points
  * outside the triangulation or, where depth counts, outside the interval [a,b] of the prisms. */
 #ifndef PLACE_H
 #define PLACE_H
@@ -13,14 +13,14 @@ struct place {
     double b[3];       /* fl(fl(b0+b1)+b2) = 1 */
 };
 
-struct frame {
+struct projection {
     int axes[3];
     bool has_depth;
     double depth[2];
 };
 
-struct frame frame_of_model(const struct grid *g); /* by the grid's plane and depth */
-struct frame frame_of_plane(void); /* x and y are the grid's own; the third is nothing */
+struct projection projection_of_model(const struct grid *g); /* by the grid's plane and depth */
+struct projection projection_of_plane(void); /* x and y are the grid's own; the third is nothing */
 
 /* The weights of bottom and top at depth z: a[0] = (depth1 - z) / (depth1 - depth0), a[1] = (z -
  * depth0) / (depth1 - depth0); both in [0,1] for z in the interval, also where its length is too
@@ -28,14 +28,14 @@ struct frame frame_of_plane(void); /* x and y are the grid's own; the third is n
 void depth_weights(const double depth[2], double z, double a[2]);
 
 struct placer {
-    struct frame frame;
+    struct projection projection;
     /* private */
     struct locator locator;
     uint32_t hint;
 };
 
 /* The grid is borrowed. */
-bool placer_init(struct placer *p, const struct grid *g, const struct frame *frame,
+bool placer_init(struct placer *p, const struct grid *g, const struct projection *projection,
                  struct err *err) WARN_UNUSED;
 void placer_free(struct placer *p); /* harmless on a zeroed struct */
 

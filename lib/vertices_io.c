@@ -36,8 +36,8 @@ void vertices_close(struct vertices *v) {
     filemap_close(&v->file);
 }
 
-struct frame vertices_frame(const struct vertices *v, const struct grid *g) {
-    return v->format == VERTICES_XY ? frame_of_plane() : frame_of_model(g);
+struct projection vertices_projection(const struct vertices *v, const struct grid *g) {
+    return v->format == VERTICES_XY ? projection_of_plane() : projection_of_model(g);
 }
 
 uint32_t vertices_checksum(const struct vertices *v) {

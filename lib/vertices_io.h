@@ -32,8 +32,8 @@ bool vertices_open(struct vertices *v, const char *path, enum vertices_format fo
                    struct err *err) WARN_UNUSED;
 void vertices_close(struct vertices *v); /* harmless on a zeroed struct */
 
-/* The frame of these vertices on a grid. */
-struct frame vertices_frame(const struct vertices *v, const struct grid *g);
+/* Which coordinates of these vertices count on a grid. */
+struct projection vertices_projection(const struct vertices *v, const struct grid *g);
 
 /* The number of columns of a list. */
 static inline int vertices_columns(const struct vertices *v) {

@@ -70,11 +70,11 @@ static bool read_inputs(struct job *job, struct err *err) {
 
 static bool find_places(struct job *job, struct err *err) {
     const struct grid *g = &job->grid.spline.grid;
-    struct frame frame = vertices_frame(&job->vertices, g);
+    struct projection projection = vertices_projection(&job->vertices, g);
     struct bary *bary = &job->bary;
     struct bary_key key;
     if (!bary_key(&key, g, &job->vertices, err) ||
-        !bary_locate(bary, &key, g, &frame, job->vertices.points.vertex, err))
+        !bary_locate(bary, &key, g, &projection, job->vertices.points.vertex, err))
         return false;
     if (bary->outside > 0 && job->set->outside == OUTSIDE_ERROR)
         return vertices_refuse(&job->vertices, bary->outside, bary->first, err);

@@ -128,12 +128,12 @@ static bool read_inputs(struct job *job, struct err *err) {
 /* Makes job->deform, with places that are known or without. */
 static bool place(struct job *job, struct err *err) {
     const struct spline *s = &job->grid.spline;
-    struct frame frame = vertices_frame(&job->vertices, &s->grid);
+    struct projection projection = vertices_projection(&job->vertices, &s->grid);
     struct bary_key key;
     if (job->set->bary && (!bary_key(&key, &s->grid, &job->vertices, err) ||
                            !bary_read(&job->bary, job->set->bary, &key, err)))
         return false;
-    return deform_init(&job->deform, s, &frame, job->bary.place, err);
+    return deform_init(&job->deform, s, &projection, job->bary.place, err);
 }
 
 /* Old positions stay where normals need derivatives at them. */

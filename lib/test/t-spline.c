@@ -269,9 +269,9 @@ static void cursor_is_the_same(void **unused) {
 /* All six planes: the point moves as in the frame xy, its coordinates permuted. */
 /* For points of a model, nothing known about their places. */
 static bool init(struct deform *d, const struct spline *s) {
-    struct frame frame = frame_of_model(&s->grid);
+    struct projection projection = projection_of_model(&s->grid);
     struct err err = {0};
-    return deform_init(d, s, &frame, NULL, &err);
+    return deform_init(d, s, &projection, NULL, &err);
 }
 
 static void planes(void **unused) {
