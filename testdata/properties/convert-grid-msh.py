@@ -7,7 +7,7 @@ import sys
 from deformation import Deformation
 
 TYPES = [0, 2, 9, 21, 23, 25, 42, 43, 44, 45, 46]
-CUTS = 32  # samples along an edge
+CUTS = 24  # samples along an edge
 
 
 def section(path, name):
