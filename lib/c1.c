@@ -156,9 +156,8 @@ double c1_relative(struct c1_value value) {
 
 /* The neighbour of v that begins (last = false) or ends triangle t of its fan. */
 static const int32_t *fan_neighbour(const struct grid *g, uint32_t v, uint32_t t, bool last) {
-    const uint32_t *c = g->triangle[t];
-    int l = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-    return g->vertex[c[(l + (last ? 2 : 1)) % 3]];
+    int l = grid_corner(g, t, v);
+    return g->vertex[g->triangle[t][(l + (last ? 2 : 1)) % 3]];
 }
 
 static bool is_inner(const struct grid *g, uint32_t v) {

@@ -329,7 +329,8 @@ bool clsq_solve(const struct clsq_problem *problem, double *x, struct clsq_repor
     struct work w;
     *report = (struct clsq_report){0};
     if (problem->a->rows == 0) {
-        memcpy(x, problem->target, problem->a->cols * (size_t)problem->k * sizeof *x);
+        size_t n = problem->a->cols * (size_t)problem->k;
+        for (size_t i = 0; i < n; i++) x[i] = problem->target[i];
         return true;
     }
     bool ok = work_init(&w, problem, err) && solve(&w, x, report, err);

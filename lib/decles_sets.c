@@ -112,18 +112,13 @@ static uint32_t point_at(const struct grid *g, uint32_t t, int l, int at_l, int 
     return grid_point(g, t, weight[0], weight[1], weight[2]);
 }
 
-static int corner_of(const struct grid *g, uint32_t t, uint32_t v) {
-    const uint32_t *c = g->triangle[t];
-    return c[0] == v ? 0 : c[1] == v ? 1 : 2;
-}
-
 static void derive_ring_2(struct decles_sets *s, uint32_t v) {
     const struct grid *g = s->grid;
     int d = g->degree;
     if (!begin_ring(s, v, RING_2)) return;
     for (uint32_t i = g->fan_start[v]; i < g->fan_start[v + 1]; i++) {
         uint32_t t = g->fan[i];
-        int l = corner_of(g, t, v);
+        int l = grid_corner(g, t, v);
         derive(s, point_at(g, t, l, d - 2, 1, 1), false);
         derive(s, point_at(g, t, l, d - 2, 2, 0), false);
         derive(s, point_at(g, t, l, d - 2, 0, 2), false);
@@ -140,7 +135,7 @@ static void derive_rings(struct decles_sets *s, uint32_t v) {
     if (!begin_ring(s, v, RING_1)) return;
     for (uint32_t i = g->fan_start[v]; i < g->fan_start[v + 1]; i++) {
         uint32_t t = g->fan[i];
-        int l = corner_of(g, t, v);
+        int l = grid_corner(g, t, v);
         derive(s, point_at(g, t, l, d - 1, 1, 0), false);
         derive(s, point_at(g, t, l, d - 1, 0, 1), false);
     }
@@ -155,7 +150,7 @@ static int corner_with(const struct grid_place *place, int w) {
 /* The edge of p's triangle against which p has weight w, and how far p is from its end a. */
 static uint32_t edge_against(const struct grid *g, const struct grid_place *place, int w, int *r) {
     uint32_t t = place->triangle, e = g->triangle_edge[t][corner_with(place, w)];
-    *r = place->weight[corner_of(g, t, g->edge[e][1])];
+    *r = place->weight[grid_corner(g, t, g->edge[e][1])];
     return e;
 }
 

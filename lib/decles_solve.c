@@ -12,7 +12,6 @@ bool decles_solve(const struct decles_sets *sets, const struct exact_rows *rows,
                                    .target = targets->suggested,
                                    .fixed = targets->fixed};
     bool ok;
-    if (sets->derived_count == 0) return true;
     ok = decles_matrix_init(&a, sets, true, rows->independent, err) &&
          decles_matrix_init(&f, sets, false, rows->independent, err) &&
          clsq_solve(&problem, x, report, err);

@@ -8,9 +8,9 @@
  * matter only if the anchors have different motions, and are kept as sorted lists. */
 #include "decles_suggest.h"
 
+#include "decles_motion.h"
 #include "mem.h"
 #include "net.h"
-#include "trig.h"
 
 #include <string.h>
 
@@ -21,12 +21,12 @@ struct decles_visit {
     size_t first, count; /* its nearest anchors in decles_suggester.nearest */
 };
 
-/* theta of a rotation or scaling as a matrix ((c, -s), (s, c)): some microseconds to find, and the
- * same for many points. A cache entry depends on its keys alone, so it outlives the edit. */
-struct decles_turn {
+/* The matrix for a share theta of a rotation or scaling takes long to find and is the same for many
+ * points. A cache entry depends on its keys alone, so it outlives the edit. */
+struct decles_known_turn {
     double parameter, theta; /* degrees or factor; theta = 0: empty */
     enum decles_kind kind;
-    double c, s;
+    struct decles_turn turn;
 };
 
 bool decles_suggester_init(struct decles_suggester *s, const struct grid *g, struct err *err) {
@@ -167,41 +167,25 @@ static bool search_near(struct decles_suggester *s, const struct decles_sets *se
     return true;
 }
 
-static struct decles_turn make_turn(const struct decles_motion *motion, double theta) {
-    struct decles_turn turn = {motion->degrees, theta, motion->kind, 0, 0};
-    if (motion->kind == DECLES_ROTATE) {
-        trig_degrees(theta * motion->degrees, &turn.c, &turn.s);
-    } else {
-        turn.parameter = motion->factor;
-        turn.c = trig_pow(motion->factor, theta);
-    }
-    return turn;
-}
-
-static struct decles_turn find_turn(struct decles_turn *cache, const struct decles_motion *motion,
-                                    double theta) {
+static struct decles_turn find_turn(struct decles_known_turn *cache,
+                                    const struct decles_motion *motion, double theta) {
     double parameter = motion->kind == DECLES_ROTATE ? motion->degrees : motion->factor;
     uint64_t bits;
-    struct decles_turn *entry;
+    struct decles_known_turn *entry;
     memcpy(&bits, &theta, sizeof bits);
     entry = &cache[(bits * 0x9e3779b97f4a7c15u) >> 52];
     if (entry->theta != theta || entry->parameter != parameter || entry->kind != motion->kind)
-        *entry = make_turn(motion, theta);
-    return *entry;
+        *entry =
+            (struct decles_known_turn){parameter, theta, motion->kind, decles_turn(motion, theta)};
+    return entry->turn;
 }
 
 /* Where a motion takes the point at q, k components, by the share theta > 0. */
-static void move(struct decles_turn *cache, const struct decles_motion *motion, double theta,
+static void move(struct decles_known_turn *cache, const struct decles_motion *motion, double theta,
                  const double *q, int k, double to[2]) {
-    if (motion->kind == DECLES_TRANSLATE) {
-        for (int c = 0; c < k; c++) to[c] = q[c] + theta * motion->by[c];
-    } else {
-        INVARIANT(k == 2);
-        struct decles_turn turn = find_turn(cache, motion, theta);
-        double x = q[0] - motion->centre[0], y = q[1] - motion->centre[1];
-        to[0] = motion->centre[0] + (turn.c * x - turn.s * y);
-        to[1] = motion->centre[1] + (turn.s * x + turn.c * y);
-    }
+    struct decles_turn turn = {1, 0};
+    if (motion->kind != DECLES_TRANSLATE) turn = find_turn(cache, motion, theta);
+    decles_move(motion, theta, turn, q, k, to);
 }
 
 /* The mean of what the nearest anchors' motions suggest for the point at q. */

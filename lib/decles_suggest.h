@@ -23,7 +23,7 @@ struct decles_suggester {
     struct decles_search near, far;
     uint32_t *nearest; /* the nearest anchors of all visits, as indices into edit.anchor */
     size_t nearest_count, nearest_cap;
-    struct decles_turn *turn; /* a cache */
+    struct decles_known_turn *turn; /* a cache */
 };
 
 bool decles_suggester_init(struct decles_suggester *s, const struct grid *g,

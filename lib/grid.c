@@ -43,14 +43,6 @@ static uint32_t first_interior(const struct grid *g) {
     return g->vertex_count + g->edge_count * edge_points(g);
 }
 
-/* The corner of t that is vertex v; t must have it. */
-static int corner_of(const struct grid *g, uint32_t t, uint32_t v) {
-    const uint32_t *c = g->triangle[t];
-    int l = c[0] == v ? 0 : c[1] == v ? 1 : 2;
-    INVARIANT(c[l] == v);
-    return l;
-}
-
 int grid_opposite(const struct grid *g, uint32_t t, uint32_t e) {
     const uint32_t *edge = g->triangle_edge[t];
     int l = edge[0] == e ? 0 : edge[1] == e ? 1 : 2;
@@ -61,7 +53,7 @@ int grid_opposite(const struct grid *g, uint32_t t, uint32_t e) {
 /* Point with the given weights on edge l of triangle t, where weight[l] = 0. */
 static uint32_t edge_point(const struct grid *g, uint32_t t, int l, const int weight[3]) {
     uint32_t e = g->triangle_edge[t][l];
-    int far = corner_of(g, t, g->edge[e][1]);
+    int far = grid_corner(g, t, g->edge[e][1]);
     return g->vertex_count + e * edge_points(g) + (uint32_t)(weight[far] - 1);
 }
 
@@ -126,12 +118,12 @@ void grid_weights(const struct grid *g, uint32_t p, uint32_t t, int weight[3]) {
     INVARIANT(p < g->point_count && t < g->triangle_count);
     weight[0] = weight[1] = weight[2] = 0;
     if (p < g->vertex_count) {
-        weight[corner_of(g, t, p)] = g->degree;
+        weight[grid_corner(g, t, p)] = g->degree;
     } else if (p < first_interior(g)) {
         uint32_t e = (p - g->vertex_count) / edge_points(g);
         int r = (int)((p - g->vertex_count) % edge_points(g)) + 1;
-        weight[corner_of(g, t, g->edge[e][0])] = g->degree - r;
-        weight[corner_of(g, t, g->edge[e][1])] = r;
+        weight[grid_corner(g, t, g->edge[e][0])] = g->degree - r;
+        weight[grid_corner(g, t, g->edge[e][1])] = r;
     } else {
         uint32_t r = p - first_interior(g);
         INVARIANT(r / interior_points(g) == t);

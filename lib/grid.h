@@ -104,6 +104,14 @@ static inline bool grid_edge_is_inner(const struct grid *g, uint32_t e) {
     return g->edge_triangle[e][1] != GRID_NONE;
 }
 
+/* The corner 0..2 of triangle t that is vertex v, which t must have. */
+static inline int grid_corner(const struct grid *g, uint32_t t, uint32_t v) {
+    const uint32_t *c = g->triangle[t];
+    int l = c[0] == v ? 0 : c[1] == v ? 1 : 2;
+    INVARIANT(c[l] == v);
+    return l;
+}
+
 /* The corner 0..2 of triangle t that lies opposite edge e. */
 int grid_opposite(const struct grid *g, uint32_t t, uint32_t e);
 

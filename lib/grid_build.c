@@ -196,14 +196,9 @@ static bool sort_and_make_edges(struct build *b) {
     return ok;
 }
 
-static int corner_of(const struct grid *g, uint32_t t, uint32_t v) {
-    const uint32_t *c = g->triangle[t];
-    return c[0] == v ? 0 : c[1] == v ? 1 : 2;
-}
-
 /* The triangle after t, counter-clockwise around v, or GRID_NONE. */
 static uint32_t next_around(const struct grid *g, uint32_t v, uint32_t t) {
-    uint32_t e = g->triangle_edge[t][(corner_of(g, t, v) + 1) % 3];
+    uint32_t e = g->triangle_edge[t][(grid_corner(g, t, v) + 1) % 3];
     return g->edge_triangle[e][g->edge_triangle[e][0] == t];
 }
 

@@ -10,8 +10,8 @@
  * old positions are in `from`) and the derived points (copied from the report). */
 #include "script_run.h"
 
+#include "decles_motion.h"
 #include "mem.h"
-#include "trig.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -110,27 +110,8 @@ static struct decles_motion motion_of(const struct script_statement *s) {
 /* A statement's motion, ready to be applied to many points. */
 struct mover {
     struct decles_motion motion;
-    double cosine, sine;
+    struct decles_turn turn;
 };
-
-static void move_point(const struct mover *mover, const double from[2], double to[2]) {
-    const struct decles_motion *m = &mover->motion;
-    double dx = from[0] - m->centre[0], dy = from[1] - m->centre[1];
-    switch (m->kind) {
-    case DECLES_TRANSLATE:
-        to[0] = from[0] + m->by[0];
-        to[1] = from[1] + m->by[1];
-        return;
-    case DECLES_ROTATE:
-        to[0] = m->centre[0] + (mover->cosine * dx - mover->sine * dy);
-        to[1] = m->centre[1] + (mover->sine * dx + mover->cosine * dy);
-        return;
-    case DECLES_SCALE:
-        to[0] = m->centre[0] + m->factor * dx;
-        to[1] = m->centre[1] + m->factor * dy;
-        return;
-    }
-}
 
 static void position(const struct channel *ch, uint32_t p, double at[2]) {
     at[1] = 0;
@@ -163,7 +144,7 @@ static bool add_target(struct run *run, struct channel *ch, const struct script_
                        const struct mover *mover, uint32_t p, struct err *err) {
     double from[2], to[2];
     position(ch, p, from);
-    move_point(mover, from, to);
+    decles_move(&mover->motion, 1, mover->turn, from, 2, to);
     if (!check_target(run, s, p, to, err) || !add_naming(ch, s, p, err)) return false;
     if (s->target == SCRIPT_TO) memcpy(to, s->to, sizeof to); /* not rounded once more */
     if (s->verb == SCRIPT_SUGGEST) {
@@ -191,7 +172,7 @@ static void set_difference(const struct run *run, const struct channel *ch,
 static bool resolve_channel(struct run *run, struct channel *ch, const struct script_statement *s,
                             struct err *err) {
     struct mover mover = {.motion = motion_of(s)};
-    if (s->verb == SCRIPT_ROTATE) trig_degrees(mover.motion.degrees, &mover.cosine, &mover.sine);
+    mover.turn = decles_turn(&mover.motion, 1);
     if (s->target == SCRIPT_TO) set_difference(run, ch, s, &mover.motion);
     for (size_t i = 0; i < run->points.count; i++)
         if (!add_target(run, ch, s, &mover, run->points.point[i], err)) return false;

@@ -320,6 +320,17 @@ static void test_no_rows(void **state) {
     free(s);
 }
 
+static void test_no_columns(void **state) {
+    (void)state;
+    struct small *s = calloc(1, sizeof *s);
+    struct clsq_report report;
+    struct err err = {0};
+    connect(s, 0, 0, 0, 1);
+    s->p.target = s->p.weight = NULL;
+    assert_true(clsq_solve(&s->p, NULL, &report, &err));
+    free(s);
+}
+
 /* x0 = x1 at ties, column 2 in no row: its bits stay, the sign of -0 too. */
 static void test_ties(void **state) {
     (void)state;
@@ -464,11 +475,11 @@ static void test_large(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),  cmocka_unit_test(test_structured),
-        cmocka_unit_test(test_qr),      cmocka_unit_test(test_nearly_dependent),
-        cmocka_unit_test(test_no_rows), cmocka_unit_test(test_ties),
-        cmocka_unit_test(test_refusal), cmocka_unit_test(test_overflow),
-        cmocka_unit_test(test_large),
+        cmocka_unit_test(test_random),   cmocka_unit_test(test_structured),
+        cmocka_unit_test(test_qr),       cmocka_unit_test(test_nearly_dependent),
+        cmocka_unit_test(test_no_rows),  cmocka_unit_test(test_no_columns),
+        cmocka_unit_test(test_ties),     cmocka_unit_test(test_refusal),
+        cmocka_unit_test(test_overflow), cmocka_unit_test(test_large),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -258,25 +258,28 @@ static void solution_is_the_least_one(void **state) {
     }
 }
 
-/* Errors do not pile up, and what an edit leaves passes step 0 of the next. */
+/* Errors do not pile up on one grid, whatever the number of edits, and what an edit leaves passes
+ * step 0 of the next. Points drift: the size of the map is that of the farthest. */
 static void many_edits(void **state) {
     (void)state;
-    int done = 0, wanted = test_count(1000);
-    for (uint64_t seed = 3000; done < wanted; seed++) {
-        uint64_t random = seed;
+    for (int degree = 5; degree <= 7; degree++) {
+        int wanted = test_count(1000) / (degree == 5 ? 1 : 4);
+        uint64_t seed = 3000 + (uint64_t)degree, random = seed;
         struct grid g;
         struct editing s;
         struct random_edit r;
-        random_grid(&g, 4, 5 + (int)(seed % 3), seed);
+        random_grid(&g, 4, degree, seed);
         editing_begin(&s, &g, 1, 100, seed);
-        for (int i = 0; i < 100; i++) {
+        for (int done = 0, tried = 0; done < wanted; tried++) {
             int k = 1 + (int)random_in(&random, 0, 1);
             fill_edit(&r, &s, &random, k, (size_t)random_in(&random, 1, 3));
             if (editing_apply(&s, &r.edit, k))
                 done++;
             else
-                check_seed(seed, is_honest(&s));
+                check_seed(seed, is_honest(&s) && tried < 4 * wanted + 100);
         }
+        for (size_t i = 0; i < 2 * (size_t)s.g.point_count; i++)
+            s.magnitude = fmax(s.magnitude, fabs(s.q[i]));
         editing_check_c1(&s);
         editing_end(&s);
     }
@@ -295,7 +298,6 @@ static void singular_grids_stay_c1(void **state) {
         struct grid g;
         struct editing s;
         struct random_edit r;
-        double worst = 0;
         triangulate(&g, &recipe, 5, seed);
         for (uint32_t v = 0; v < g.vertex_count; v++) { /* an affine map keeps them singular */
             int64_t x = g.vertex[v][0], y = g.vertex[v][1];
@@ -307,10 +309,7 @@ static void singular_grids_stay_c1(void **state) {
         for (int i = 0; i < 1000; i++) {
             fill_edit(&r, &s, &random, 2, (size_t)random_in(&random, 1, 3));
             r.edit.slave_count = r.edit.wish_count = 0;
-            if (editing_apply(&s, &r.edit, 2))
-                worst = fmax(worst, s.report.residual);
-            else
-                check_seed(seed, is_honest(&s));
+            check_seed(seed, editing_apply(&s, &r.edit, 2) || is_honest(&s));
         }
         editing_check_c1(&s);
         editing_end(&s);

@@ -2,6 +2,8 @@
 /* Steps 0 and 3: what is accepted, what is refused, and what the refusal says. */
 #include "decles_rank.h"
 
+#include "decles_motion.h"
+
 #include "dense.h"
 #include "editing.h"
 #include "triangulations.h"
@@ -138,9 +140,20 @@ static size_t edge_points(const struct grid *g, uint32_t e, uint32_t *p) {
     return n;
 }
 
+/* The group turns, grows or moves. */
+static void move_group(struct group *b, const struct editing *s, uint64_t *random) {
+    b->motion.kind = (enum decles_kind)random_in(random, 0, 2);
+    b->motion.degrees = 360 * random_unit(random) - 180;
+    b->motion.factor = 0.5 + random_unit(random);
+    for (int c = 0; c < 2; c++) b->motion.centre[c] = (4 * random_unit(random) - 2) * s->magnitude;
+    struct decles_turn turn = decles_turn(&b->motion, 1);
+    for (size_t i = 0; i < b->edit.anchor_count; i++)
+        decles_move(&b->motion, 1, turn, s->q + 2 * b->anchor[i].point, 2, b->anchor[i].to);
+}
+
 /* All points of two neighbouring triangles move together: over-determined, but they agree. One of
- * them displaced by 1e-9 of the extent breaks a condition of anchors alone: a row of A_D that is
- * zero, which the paper's 4.3.2 would drop. */
+ * them displaced by 1e-9 of the extent, or more, breaks a condition of anchors alone: a row of A_D
+ * that is zero, which the paper's 4.3.2 would drop. */
 static void rigid_groups(void **state) {
     (void)state;
     for (int run = 0, runs = test_count(60); run < runs; run++) {
@@ -154,16 +167,22 @@ static void rigid_groups(void **state) {
         editing_begin(&s, &g, 1, 1e6, seed);
         uint32_t e = random_inner_edge(&s.g, &random);
         size_t n = edge_points(&s.g, e, p);
-        fill_group(&b, &s, p, n);
-        check_seed(seed, editing_apply(&s, &b.edit, 2));
-        editing_check_c1(&s);
-        editing_check_solution(&s, NULL, 2);
+        for (int turns = 0; turns < 3; turns++) {
+            fill_group(&b, &s, p, n);
+            move_group(&b, &s, &random);
+            check_seed(seed, editing_apply(&s, &b.edit, 2));
+            for (size_t i = 0; i < 2 * (size_t)s.g.point_count; i++)
+                s.magnitude = fmax(s.magnitude, fabs(s.q[i]));
+            editing_check_c1(&s);
+            editing_check_solution(&s, NULL, 2);
+        }
         fill_group(&b, &s, p, n);
         for (int m = 0; m < s.g.degree; m++) {
             struct c1_condition c = c1_condition(&s.g, e, m);
             int i = (int)random_in(&random, 0, 3);
+            double off = pow(10, -9 + 9 * random_unit(&random) * (m > 0)) * s.magnitude;
             for (size_t j = 0; j < n; j++)
-                if (p[j] == c.point[i]) b.anchor[j].to[1] += 1e-9 * s.magnitude;
+                if (p[j] == c.point[i]) b.anchor[j].to[1] += off;
             if (c.coefficient[i] != 0) {
                 check_seed(seed, !editing_apply(&s, &b.edit, 2));
                 check_seed(seed, is_conflict(&s));

@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scripts carried out on small grids: planted positions, what is refused and where, all or nothing
- * in blocks, and that nothing moves but what the observer was told. */
+ * in blocks, that nothing moves but what the observer was told, and that it is the least solution;
+ * long chains of turns. */
 #include "edits_io.h"
+#include "grid_io.h"
 #include "script_run.h"
 
-#include "testing.h"
+#include "editing.h"
 #include "triangulations.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 /* 4 x 3 squares of side 2, degree 5: vertex v lies at (2 (v mod 5), 2 (v div 5)). */
 static void set_up(struct spline *s, bool depth) {
@@ -109,8 +112,9 @@ static void test_affine(void **unused) {
     for (uint32_t p = 0; p < s.grid.point_count; p++) {
         double xy[2];
         grid_nominal(&s.grid, p, xy);
-        assert_true(fabs(s.phi[p][0] - (2 * (1 - (xy[1] - 2)) + 1)) < 1e-13);
-        assert_true(fabs(s.phi[p][1] - 2 * (2 + (xy[0] - 1))) < 1e-13);
+        /* quarter turns are exact, and long double holds these differences without rounding */
+        check_at(&s, p, 2 * (double)(3 - (long double)xy[1]) + 1,
+                 2 * (double)(1 + (long double)xy[0]));
     }
     spline_free(&s);
 }
@@ -244,10 +248,12 @@ static void test_observer_stops(void **unused) {
 
 /* ---- random scripts ---- */
 
-/* Follows a script: what it is told to have moved must be all that has moved. */
+/* Follows a script: what it is told to have moved must be all that has moved, and have moved as
+ * dense least squares would have it. */
 struct witness {
     const struct spline *s;
-    double (*phi)[2], (*sigma)[2];
+    double (*phi)[2], (*sigma)[2], *weight;
+    bool *pinned;
     size_t edits, settings;
     uint64_t seed;
 };
@@ -280,16 +286,44 @@ static void follow_derived(struct witness *w, const struct script_event *e) {
     }
 }
 
+/* pin, unpin, weight */
+static void follow_setting(struct witness *w, const struct script_event *e) {
+    const struct script_statement *s = &e->script->statement[e->block->first];
+    for (size_t i = 0; i < e->points->count; i++) {
+        uint32_t p = e->points->point[i];
+        if (s->verb == SCRIPT_WEIGHT)
+            w->weight[p] = s->by[0];
+        else
+            w->pinned[p] = s->verb == SCRIPT_PIN;
+    }
+}
+
+/* Every third edit, since it takes long. */
+static void check_least(const struct witness *w, const struct script_event *e) {
+    struct editing view = {
+        .g = w->s->grid,
+        .q = e->channel == SCRIPT_PHI ? w->s->phi[0] : &w->s->sigma[0][e->channel == SCRIPT_TOP],
+        .magnitude = 8,
+        .report = *e->report,
+        .seed = w->seed};
+    for (size_t i = 0; i < e->report->derived; i++)
+        check_seed(w->seed, !w->pinned[e->report->derived_point[i]]);
+    if (w->edits % 3 == 0)
+        editing_check_solution(&view, w->weight, e->channel == SCRIPT_PHI ? 2 : 1);
+}
+
 static bool see(void *context, const struct script_event *e, struct err *err) {
     struct witness *w = context;
     (void)err;
     if (!e->edit) {
         w->settings++;
+        follow_setting(w, e);
         return e->points->count > 0;
     }
     w->edits++;
     follow_anchors(w, e);
     follow_derived(w, e);
+    check_least(w, e);
     check_seed(w->seed, memcmp(w->phi, w->s->phi, w->s->grid.point_count * sizeof *w->phi) == 0);
     return true;
 }
@@ -297,7 +331,7 @@ static bool see(void *context, const struct script_event *e, struct err *err) {
 static void put_random_statement(FILE *to, uint64_t *state, bool in_block, int *anchor) {
     double x = (double)random_in(state, 0, 16) / 2, y = (double)random_in(state, 0, 12) / 2;
     int number = (*anchor += (int)random_in(state, 20, 60)); /* distinct within a block */
-    switch (random_in(state, 0, in_block ? 4 : 7)) {
+    switch (random_in(state, 0, in_block ? 5 : 8)) {
     case 0:
         fprintf(to, "move %d by 0.125 -0.25 reach %d\n", number, (int)random_in(state, 0, 6));
         break;
@@ -314,9 +348,15 @@ static void put_random_statement(FILE *to, uint64_t *state, bool in_block, int *
         fprintf(to, "raise both %d by -0.25 reach 2\n", number);
         break;
     case 5:
-        fprintf(to, "move @%g,%g by 0.25 0.125 reach 4\n", x, y);
+        if (in_block)
+            fprintf(to, "suggest %d %d by 0.25 -0.125\n", number, number + 3);
+        else
+            fprintf(to, "move @%g,%g by 0.25 0.125 reach 4\n", x, y);
         break;
     case 6:
+        fprintf(to, "pin ^%g,%g\n", x, y);
+        break;
+    case 7:
         fprintf(to, "weight %d box:%g,%g,8,6\n", (int)random_in(state, 1, 9), x, y);
         break;
     default:
@@ -328,7 +368,7 @@ static void put_random_script(FILE *to, uint64_t *state) {
     for (int i = 0; i < 12; i++) {
         bool block = random_in(state, 0, 3) == 0;
         int anchor = -20;
-        if (block) fputs("begin\n", to);
+        if (block) fputs("begin\nmove 335 by 0.125 0\n", to);
         for (int n = block ? 3 : 1; n > 0; n--) put_random_statement(to, state, block, &anchor);
         if (block) fputs("end\n", to);
     }
@@ -338,6 +378,9 @@ static void copy_spline(struct witness *w) {
     size_t n = w->s->grid.point_count;
     w->phi = malloc(n * sizeof *w->phi);
     w->sigma = malloc(n * sizeof *w->sigma);
+    w->weight = malloc(n * sizeof *w->weight);
+    w->pinned = calloc(n, sizeof *w->pinned);
+    for (size_t p = 0; p < n; p++) w->weight[p] = 1;
     memcpy(w->phi, w->s->phi, n * sizeof *w->phi);
     memcpy(w->sigma, w->s->sigma, n * sizeof *w->sigma);
 }
@@ -378,6 +421,8 @@ static bool run_random(uint64_t seed) {
     spline_free(&s);
     free(w.phi);
     free(w.sigma);
+    free(w.weight);
+    free(w.pinned);
     free(text);
     return ok;
 }
@@ -387,6 +432,93 @@ static void test_random(void **unused) {
     (void)unused;
     for (int i = 0; i < n; i++) done += run_random((uint64_t)i);
     assert_true(2 * done >= n);
+}
+
+/* ---- chains of turns ---- */
+
+/* A grid by a random recipe, with room for corners to name. */
+static void set_up_random(struct spline *s, uint64_t seed) {
+    struct grid g;
+    struct err err;
+    int degree = 5 + (int)(seed % 3);
+    do random_grid(&g, 3, degree, seed++);
+    while (g.triangle_count < 8 && (grid_free(&g), true));
+    assert_true(spline_identity(s, &g, &err));
+}
+
+/* Turns the points around a vertex, or all, about a centre up to three extents away; their
+ * neighbours follow. */
+static void put_turn(FILE *to, const struct spline *s, uint64_t *random) {
+    double extent = c1_extent(&s->grid), r = (0.1 + 0.3 * random_unit(random)) * extent, at[2];
+    grid_vertex(&s->grid, (uint32_t)random_in(random, 0, s->grid.vertex_count - 1), at);
+    if (random_in(random, 0, 4) == 0)
+        fputs("rotate all", to);
+    else
+        fprintf(to, "rotate box:%.17g,%.17g,%.17g,%.17g", at[0] - r, at[1] - r, at[0] + r,
+                at[1] + r);
+    fprintf(to, " about %.17g %.17g by %.17g within %.17g\n",
+            (6 * random_unit(random) - 3) * extent, (6 * random_unit(random) - 3) * extent,
+            360 * random_unit(random) - 180, 0.3 * random_unit(random) * extent);
+}
+
+static char *some_turns(const struct spline *s, int n, uint64_t *random) {
+    char *text = NULL;
+    size_t size;
+    FILE *to = open_memstream(&text, &size);
+    for (int i = 0; i < n; i++) put_turn(to, s, random);
+    fclose(to);
+    return text;
+}
+
+/* What another program reads of it; the ownership of s->grid and s->phi passes through. */
+static void print_and_read(struct spline *s) {
+    char path[] = "/tmp/t-script.XXXXXX", history[] = "";
+    struct grid_file file = {*s, history}, again;
+    struct out out;
+    struct err err;
+    int fd = mkstemp(path);
+    assert_true(fd >= 0);
+    close(fd);
+    assert_true(out_open(&out, path, &err));
+    grid_write(&out, &file, NULL, 0);
+    assert_true(out_close(&out, &err));
+    assert_true(grid_read(&again, path, &err));
+    unlink(path);
+    assert_memory_equal(again.spline.phi, s->phi, s->grid.point_count * sizeof *s->phi);
+    spline_free(s);
+    *s = again.spline;
+    free(again.history);
+}
+
+static double size_of(const struct spline *s) {
+    double size = c1_extent(&s->grid);
+    for (uint32_t p = 0; p < s->grid.point_count; p++)
+        size = fmax(size, fmax(fabs(s->phi[p][0]), fabs(s->phi[p][1])));
+    return size;
+}
+
+/* A turn carries the rounding of y into x: errors must not be held against single coordinates,
+ * nor grow with the number of turns. */
+static void test_turns(void **unused) {
+    (void)unused;
+    for (int run = 0, n = test_count(12); run < n; run++) {
+        uint64_t seed = 600 + (uint64_t)run, random = seed;
+        struct spline s;
+        set_up_random(&s, seed);
+        for (int part = 0; part < 2; part++) {
+            struct c1_field phi = {&s.phi[0][0], 2, 2, c1_extent(&s.grid)};
+            double absolute, relative;
+            uint32_t edge;
+            char *text = some_turns(&s, part == 0 ? 100 : 10, &random);
+            must_run(&s, text);
+            free(text);
+            phi.q = &s.phi[0][0];
+            c1_residual(&s.grid, &phi, &absolute, &relative, &edge);
+            check_seed(seed, absolute <= 1e-13 * size_of(&s));
+            print_and_read(&s);
+        }
+        spline_free(&s);
+    }
 }
 
 static void test_empty(void **unused) {
@@ -408,7 +540,8 @@ int main(void) {
         cmocka_unit_test(test_affine),    cmocka_unit_test(test_wishes),
         cmocka_unit_test(test_refusals),  cmocka_unit_test(test_conflict),
         cmocka_unit_test(test_undo),      cmocka_unit_test(test_observer_stops),
-        cmocka_unit_test(test_random),    cmocka_unit_test(test_empty),
+        cmocka_unit_test(test_random),    cmocka_unit_test(test_turns),
+        cmocka_unit_test(test_empty),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
