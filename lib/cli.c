@@ -10,6 +10,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { KEY_HELP = 'h', KEY_VERSION = 'V', OPTIONS_MAX = 40 };
@@ -290,6 +291,32 @@ void cli_note(const struct cli *cli, const char *format, ...) {
 }
 
 /* One line, whatever the names of files and the values of options hold. */
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void show_progress(struct progress *progress, double fraction) {
+    struct cli_progress *p = (struct cli_progress *)(void *)progress; /* its first member */
+    double time = now();
+    if (time < p->next) return;
+    p->next = time + 1;
+    p->length = (size_t)fprintf(stderr, "%s%s: %.0f %% done%s", p->terminal ? "\r" : "",
+                                p->cli->program->name, 100 * fraction, p->terminal ? "" : "\n");
+}
+
+struct progress *cli_progress_begin(struct cli_progress *p, const struct cli *cli, bool always) {
+    bool terminal = isatty(STDERR_FILENO);
+    *p = (struct cli_progress){{show_progress}, cli, terminal, now() + 1, 0};
+    return terminal || always ? &p->progress : NULL;
+}
+
+void cli_progress_end(struct cli_progress *p) {
+    if (p->terminal && p->length > 0) fprintf(stderr, "\r%*s\r", (int)p->length, "");
+    p->length = 0;
+}
+
 static void print_error(const struct cli *cli, const struct err *err) {
     char text[sizeof err->file + sizeof err->message + 64];
     int n = snprintf(text, sizeof text, "%s", err->file);

@@ -18,6 +18,7 @@
 #define CLI_H
 
 #include "err.h"
+#include "progress.h"
 
 #include <stdint.h>
 
@@ -85,6 +86,20 @@ char *cli_history(const struct cli *cli, struct err *err) WARN_UNUSED;
 
 /* "NAME: MESSAGE" on stderr: a remark that is not an error. */
 void cli_note(const struct cli *cli, const char *format, ...) __attribute__((format(printf, 2, 3)));
+
+/* Shows the progress of long work on stderr: after a second, and then every second, how much of it
+ * is done. On a terminal that is one line, which disappears in the end. */
+struct cli_progress {
+    struct progress progress;
+    const struct cli *cli;
+    bool terminal;
+    double next;   /* when to show it again, seconds of the monotonic clock */
+    size_t length; /* of the line on the terminal */
+};
+
+/* What the library is to be given: NULL unless stderr is a terminal or `always` is true. */
+struct progress *cli_progress_begin(struct cli_progress *p, const struct cli *cli, bool always);
+void cli_progress_end(struct cli_progress *p); /* harmless if it was not begun */
 
 /* Prints err, if any, checks stdout and stderr, and returns the exit status. */
 int cli_finish(const struct cli *cli, const struct err *err);

@@ -56,6 +56,7 @@ bool deform_points(struct deform *d, struct deform_batch *batch) {
     batch->outside = 0;
     for (size_t i = 0; i < batch->count; i++) {
         double image[3], jacobian[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        progress_tell(batch->progress, i, batch->count);
         if (!deform_point(d, i, batch->points[i], image, batch->gradient ? jacobian : NULL)) {
             if (batch->outside++ == 0) batch->first = i;
             memcpy(image, batch->points[i], sizeof image);

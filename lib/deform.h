@@ -7,6 +7,7 @@
 #define DEFORM_H
 
 #include "place.h"
+#include "progress.h"
 #include "spline.h"
 
 struct deform {
@@ -35,9 +36,10 @@ bool deform_point(struct deform *d, size_t i, const double point[3], double resu
 struct deform_batch {
     size_t count;
     double (*points)[3], (*images)[3]; /* may be the same array */
-    double (*gradient)[5]; /* NULL, or phi's dx/dx, dx/dy, dy/dx, dy/dy in the grid's axes, and
-                              their determinant */
-    size_t outside;        /* set: how many, and the first of them */
+    double (*gradient)[5];     /* NULL, or phi's dx/dx, dx/dy, dy/dx, dy/dy in the grid's axes, and
+                                  their determinant */
+    struct progress *progress; /* or NULL */
+    size_t outside;            /* set: how many, and the first of them */
     size_t first;
 };
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { KEY_CONTINUITY = 256, KEY_REPAIR, KEY_GAIN, KEY_VERBOSE, KEY_DIGITS };
+enum { KEY_CONTINUITY = 256, KEY_REPAIR, KEY_GAIN, KEY_VERBOSE, KEY_PROGRESS, KEY_DIGITS };
 
 static const struct cli_option options[] = {
     {'e', "edit", "STATEMENT", "this instead of EDITS; repeat it for more lines"},
@@ -21,6 +21,7 @@ static const struct cli_option options[] = {
     {KEY_REPAIR, "repair", NULL, "make a grid C1 that is not, before the edits"},
     {KEY_GAIN, "max-gain", "G", "let points move G times as far as anchors (100)"},
     {KEY_VERBOSE, "verbose", NULL, "report each edit on stderr"},
+    {KEY_PROGRESS, "progress", NULL, "show progress on stderr also if that is no terminal"},
     {KEY_DIGITS, "digits", "N", "write N significant digits, not all"},
     {'o', "output", "FILE", "write there (stdout)"},
     {0, NULL, NULL, NULL},
@@ -40,7 +41,7 @@ static const struct cli_program program = {
 
 struct settings {
     struct decles_options decles;
-    bool dry, repair, verbose;
+    bool dry, repair, verbose, progress;
     int digits;
     const char *output, *edits, *grid; /* edits: NULL with -e */
     char *statements;                  /* of -e, one a line */
@@ -72,6 +73,9 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
         return true;
     case KEY_VERBOSE:
         set->verbose = true;
+        return true;
+    case KEY_PROGRESS:
+        set->progress = true;
         return true;
     case KEY_GAIN:
         return cli_double(cli, 0, 1e300, &set->decles.max_gain, err);
@@ -107,6 +111,7 @@ struct display {
     const struct settings *set;
     FILE *plan; /* the output of -n */
     const struct script_block *shown;
+    struct progress *progress;
 };
 
 static bool note_edit(const struct display *d, const struct script_event *e, struct err *err) {
@@ -126,6 +131,8 @@ static bool note_edit(const struct display *d, const struct script_event *e, str
 
 static bool see(void *context, const struct script_event *e, struct err *err) {
     struct display *d = context;
+    size_t done = (size_t)(e->block - e->script->block);
+    if (d->progress) d->progress->show(d->progress, (double)done / (double)e->script->block_count);
     if (d->set->verbose && e->edit && !note_edit(d, e, err)) return false;
     if (!d->set->dry) return true;
     if (d->shown != e->block && !plan_put_statements(d->plan, e, err)) return false;
@@ -159,9 +166,12 @@ static bool edit(const struct cli *cli, const struct settings *set, const struct
     size_t size;
     struct display display = {.cli = cli, .set = set, .plan = open_memstream(&plan, &size)};
     struct script_observer observer = {see, &display};
+    struct cli_progress progress;
     bool ok = display.plan || err_memory(err);
+    display.progress = cli_progress_begin(&progress, cli, set->progress);
     ok = ok && (!set->repair || repair(&file->spline, err)) &&
          script_run(script, &file->spline, &set->decles, &observer, err);
+    cli_progress_end(&progress);
     if (display.plan && fclose(display.plan) != 0 && ok) ok = err_memory(err);
     ok = ok && write_result(cli, set, file, plan, err);
     free(plan);

@@ -18,6 +18,7 @@ static const struct cli_option options[] = {
     {261, "format", "WHAT", "MODEL is obj, xy or xyz (default: by its name, else obj)"},
     {262, "jacobian", NULL, "append the derivatives of phi and their determinant to points"},
     {259, "plane", "AXES", "insist that this is the grid's plane, e.g. zy"},
+    {263, "progress", NULL, "show progress on stderr also if that is no terminal"},
     {'o', "output", "FILE", "write to FILE instead of stdout"},
     {0, NULL, NULL, NULL},
 };
@@ -37,7 +38,7 @@ struct settings {
     int outside, normals;
     int64_t digits;
     int format; /* enum vertices_format, once the name is known */
-    bool has_plane, jacobian;
+    bool has_plane, jacobian, progress;
     int axes[3];
     const char *bary, *output;
 };
@@ -90,6 +91,9 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
         case 262:
             set->jacobian = true;
             break;
+        case 263:
+            set->progress = true;
+            break;
         case 'o':
             set->output = cli->value;
             break;
@@ -139,7 +143,9 @@ static bool place(struct job *job, struct err *err) {
 /* Old positions stay where normals need derivatives at them. */
 static bool deform(struct job *job, struct err *err) {
     struct obj_points *p = &job->vertices.points;
+    struct cli_progress progress;
     struct deform_batch batch = {.count = p->vertex_count, .points = p->vertex};
+    bool ok;
     job->image = p->vertex;
     if (job->set->normals == OBJ_NORMALS_TRANSFORM && p->normal_count > 0 &&
         !mem_new(job->image, p->vertex_count, err))
@@ -147,7 +153,10 @@ static bool deform(struct job *job, struct err *err) {
     if (job->set->jacobian && !mem_new(job->gradient, p->vertex_count, err)) return false;
     batch.images = job->image;
     batch.gradient = job->gradient;
-    if (!deform_points(&job->deform, &batch))
+    batch.progress = cli_progress_begin(&progress, job->cli, job->set->progress);
+    ok = deform_points(&job->deform, &batch);
+    cli_progress_end(&progress);
+    if (!ok)
         return vertices_refuse_result(&job->vertices,
                                       job->gradient ? "the image or derivative" : "the image",
                                       batch.first, err);
