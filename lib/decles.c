@@ -49,7 +49,7 @@ struct decles_editor *decles_new(const struct grid *g, const struct decles_optio
     e->max_gain = options->max_gain;
     e->extent = c1_extent(g);
     if (!decles_sets_init(&e->sets, g, smooth, err) ||
-        !decles_suggester_init(&e->suggester, g, err) || !mem_new(e->weight, g->point_count, err)) {
+        !decles_suggester_init(&e->suggester, err) || !mem_new(e->weight, g->point_count, err)) {
         decles_free(e);
         return NULL;
     }

@@ -13,9 +13,11 @@
 
 enum decles_role { ROLE_NONE, ROLE_ANCHOR, ROLE_DERIVED };
 
-/* What is known of a point, in one place: an edit touches few pages of the large array. */
+/* What is known of a point, in one place: an edit touches few pages of the large array. Of its cost
+ * on large grids, most is first touches of memory. */
 struct decles_mark {
-    uint32_t column; /* 1 + index in `derived` or in `fixed`, 0 elsewhere */
+    uint32_t column;    /* 1 + index in `derived` or in `fixed`, 0 elsewhere */
+    uint32_t near, far; /* for the searches of decles_suggest: 1 + number of the visit; 0 between */
     uint8_t role;
     bool pinned; /* the caller's to set; lasts */
 };

@@ -29,45 +29,57 @@ struct decles_known_turn {
     struct decles_turn turn;
 };
 
-bool decles_suggester_init(struct decles_suggester *s, const struct grid *g, struct err *err) {
+bool decles_suggester_init(struct decles_suggester *s, struct err *err) {
     memset(s, 0, sizeof *s);
-    if (!mem_new(s->near.mark, 2 * (size_t)g->point_count, err)) return false;
-    s->far.mark = s->near.mark + 1;
     return mem_new(s->turn, TURNS, err);
 }
 
 void decles_suggester_free(struct decles_suggester *s) {
-    free(s->near.mark);
     free(s->near.visit);
     free(s->far.visit);
     free(s->nearest);
     free(s->turn);
 }
 
-static void search_clear(struct decles_search *s) {
-    for (; s->count > 0; s->count--) s->mark[2 * (size_t)s->visit[s->count - 1].point] = 0;
-}
-
-static bool search_push(struct decles_search *s, uint32_t p, uint32_t distance, struct err *err) {
-    if (s->mark[2 * (size_t)p] != 0) return true;
+/* Adds p to a search; *mark is p's for this search, 0 unless it was visited. */
+static bool search_push(struct decles_search *s, uint32_t *mark, uint32_t p, uint32_t distance,
+                        struct err *err) {
+    if (*mark != 0) return true;
     if (!mem_grow(s->visit, &s->cap, s->count + 1, err)) return false;
     s->visit[s->count++] = (struct decles_visit){p, distance, 0, 0};
-    s->mark[2 * (size_t)p] = (uint32_t)s->count;
+    *mark = (uint32_t)s->count;
     return true;
 }
 
-/* Pushes the neighbours of the i-th visit; if `inside`, only those in A and D. */
-static bool search_expand(struct decles_search *s, const struct decles_sets *sets, size_t i,
-                          bool inside, struct err *err) {
-    struct decles_visit from = s->visit[i];
+static bool push_near(struct decles_suggester *s, struct decles_sets *sets, uint32_t p,
+                      uint32_t distance, struct err *err) {
+    return search_push(&s->near, &sets->mark[p].near, p, distance, err);
+}
+
+/* Only points in A and D. */
+static bool push_far(struct decles_suggester *s, struct decles_sets *sets, uint32_t p,
+                     uint32_t distance, struct err *err) {
+    return sets->mark[p].role == ROLE_NONE ||
+           search_push(&s->far, &sets->mark[p].far, p, distance, err);
+}
+
+static void clear_searches(struct decles_suggester *s, struct decles_sets *sets) {
+    while (s->near.count > 0) sets->mark[s->near.visit[--s->near.count].point].near = 0;
+    while (s->far.count > 0) sets->mark[s->far.visit[--s->far.count].point].far = 0;
+}
+
+typedef bool push(struct decles_suggester *s, struct decles_sets *sets, uint32_t p,
+                  uint32_t distance, struct err *err);
+
+/* Pushes the neighbours of a visit. */
+static bool expand(struct decles_suggester *s, struct decles_sets *sets, struct decles_visit from,
+                   push *to, struct err *err) {
     uint32_t single, n, neighbour[6];
     const uint32_t *triangle = grid_triangles_of(sets->grid, from.point, &single, &n);
     for (uint32_t t = 0; t < n; t++) {
         int count = net_neighbours(sets->grid, from.point, triangle[t], neighbour);
-        for (int j = 0; j < count; j++) {
-            if (inside && sets->mark[neighbour[j]].role == ROLE_NONE) continue;
-            if (!search_push(s, neighbour[j], from.distance + 1, err)) return false;
-        }
+        for (int j = 0; j < count; j++)
+            if (!to(s, sets, neighbour[j], from.distance + 1, err)) return false;
     }
     return true;
 }
@@ -84,23 +96,29 @@ static bool is_border(const struct decles_sets *sets, uint32_t p) {
     return false;
 }
 
-static bool search_far(struct decles_search *far, const struct decles_sets *sets, struct err *err) {
-    for (size_t i = 0; i < sets->anchor_count; i++)
-        if (is_border(sets, sets->anchor[i]) && !search_push(far, sets->anchor[i], 1, err))
-            return false;
-    for (size_t i = 0; i < sets->derived_count; i++)
-        if (is_border(sets, sets->derived[i]) && !search_push(far, sets->derived[i], 1, err))
-            return false;
-    for (size_t i = 0; i < far->count; i++)
-        if (!search_expand(far, sets, i, true, err)) return false;
+static bool begin_far(struct decles_suggester *s, struct decles_sets *sets, const uint32_t *point,
+                      size_t n, struct err *err) {
+    for (size_t i = 0; i < n; i++)
+        if (is_border(sets, point[i]) && !push_far(s, sets, point[i], 1, err)) return false;
+    return true;
+}
+
+static bool search_far(struct decles_suggester *s, struct decles_sets *sets, struct err *err) {
+    if (!begin_far(s, sets, sets->anchor, sets->anchor_count, err) ||
+        !begin_far(s, sets, sets->derived, sets->derived_count, err))
+        return false;
+    for (size_t i = 0; i < s->far.count; i++)
+        if (!expand(s, sets, s->far.visit[i], push_far, err)) return false;
     return true;
 }
 
 /* Appends the nearest anchors of `of`, a neighbour one step nearer than the i-th visit. */
-static bool copy_nearest(struct decles_suggester *s, size_t i, uint32_t of, struct err *err) {
+static bool copy_nearest(struct decles_suggester *s, const struct decles_sets *sets, size_t i,
+                         uint32_t of, struct err *err) {
+    uint32_t mark = sets->mark[of].near;
     const struct decles_visit *from;
-    if (s->near.mark[2 * (size_t)of] == 0) return true;
-    from = &s->near.visit[s->near.mark[2 * (size_t)of] - 1];
+    if (mark == 0) return true;
+    from = &s->near.visit[mark - 1];
     if (from->distance + 1 != s->near.visit[i].distance) return true;
     if (!mem_grow(s->nearest, &s->nearest_cap, s->nearest_count + from->count, err)) return false;
     memcpy(s->nearest + s->nearest_count, s->nearest + from->first,
@@ -123,7 +141,7 @@ static bool find_nearest(struct decles_suggester *s, const struct decles_sets *s
     for (uint32_t t = 0; t < n; t++) {
         int neighbours = net_neighbours(sets->grid, p, triangle[t], neighbour);
         for (int j = 0; j < neighbours; j++)
-            if (!copy_nearest(s, i, neighbour[j], err)) return false;
+            if (!copy_nearest(s, sets, i, neighbour[j], err)) return false;
     }
     list = s->nearest + first;
     if (s->nearest_count - first > 1)
@@ -137,12 +155,11 @@ static bool find_nearest(struct decles_suggester *s, const struct decles_sets *s
 }
 
 /* The anchors are the first visits, in their order; each is its own nearest one. */
-static bool begin_near(struct decles_suggester *s, const struct decles_sets *sets,
-                       struct err *err) {
+static bool begin_near(struct decles_suggester *s, struct decles_sets *sets, struct err *err) {
     size_t n = sets->anchor_count;
     if (!mem_grow(s->nearest, &s->nearest_cap, n, err)) return false;
     for (size_t i = 0; i < n; i++) {
-        if (!search_push(&s->near, sets->anchor[i], 0, err)) return false;
+        if (!push_near(s, sets, sets->anchor[i], 0, err)) return false;
         s->near.visit[i].first = i;
         s->near.visit[i].count = 1;
         s->nearest[i] = (uint32_t)i;
@@ -151,8 +168,8 @@ static bool begin_near(struct decles_suggester *s, const struct decles_sets *set
     return true;
 }
 
-static bool search_near(struct decles_suggester *s, const struct decles_sets *sets,
-                        bool several_motions, struct err *err) {
+static bool search_near(struct decles_suggester *s, struct decles_sets *sets, bool several_motions,
+                        struct err *err) {
     size_t reached = 0, before;
     if (!begin_near(s, sets, err)) return false;
     for (size_t i = 0; i < s->near.count; i++) {
@@ -160,7 +177,7 @@ static bool search_near(struct decles_suggester *s, const struct decles_sets *se
             return false;
         if (reached == sets->derived_count) continue;
         before = s->near.count;
-        if (!search_expand(&s->near, sets, i, false, err)) return false;
+        if (!expand(s, sets, s->near.visit[i], push_near, err)) return false;
         for (size_t j = before; j < s->near.count; j++)
             reached += sets->mark[s->near.visit[j].point].role == ROLE_DERIVED;
     }
@@ -202,8 +219,9 @@ static void mean(const struct decles_suggester *s, const struct decles_edit *edi
 }
 
 static void suggest(const struct decles_suggester *s, const struct decles_edit *edit,
-                    bool several_motions, uint32_t p, const double *q, int k, double to[2]) {
-    uint32_t near = s->near.mark[2 * (size_t)p], far = s->far.mark[2 * (size_t)p];
+                    bool several_motions, const struct decles_mark *mark, const double *q, int k,
+                    double to[2]) {
+    uint32_t near = mark->near, far = mark->far;
     const struct decles_visit *visit = near == 0 ? NULL : &s->near.visit[near - 1];
     double theta = 1;
     if (!visit) { /* no anchor can be reached: theta = 0 */
@@ -220,18 +238,19 @@ static void suggest(const struct decles_suggester *s, const struct decles_edit *
         move(s->turn, &edit->motion[edit->anchor[0].motion], theta, q, k, to);
 }
 
-bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
+bool decles_suggest(struct decles_suggester *s, struct decles_sets *sets,
                     const struct decles_edit *edit, const struct c1_field *values,
                     double *suggested, struct err *err) {
     size_t k = (size_t)values->k;
     bool several_motions = false, ok;
     for (size_t i = 1; i < edit->anchor_count; i++)
         several_motions = several_motions || edit->anchor[i].motion != edit->anchor[0].motion;
-    ok = search_near(s, sets, several_motions, err) && search_far(&s->far, sets, err);
+    ok = search_near(s, sets, several_motions, err) && search_far(s, sets, err);
     for (size_t i = 0; ok && i < sets->derived_count; i++) {
         uint32_t p = sets->derived[i];
         double to[2];
-        suggest(s, edit, several_motions, p, values->q + values->stride * p, values->k, to);
+        suggest(s, edit, several_motions, &sets->mark[p], values->q + values->stride * p, values->k,
+                to);
         memcpy(suggested + i * k, to, k * sizeof *to);
     }
     for (size_t i = 0; ok && i < edit->wish_count; i++) {
@@ -239,7 +258,6 @@ bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
         if (sets->mark[p].role != ROLE_DERIVED) continue;
         memcpy(suggested + (sets->mark[p].column - 1) * k, edit->wish[i].to, k * sizeof *suggested);
     }
-    search_clear(&s->near);
-    search_clear(&s->far);
+    clear_searches(s, sets);
     return ok;
 }

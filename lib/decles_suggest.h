@@ -13,12 +13,11 @@
 
 /* A breadth-first search: what was reached, in the order of distance. */
 struct decles_search {
-    uint32_t *mark; /* [2p] of point p: 1 + its place in `visit`; zero between edits */
     struct decles_visit *visit;
     size_t count, cap;
 };
 
-/* Working memory, all private. The marks of both searches stand side by side. */
+/* Working memory, all private. */
 struct decles_suggester {
     struct decles_search near, far;
     uint32_t *nearest; /* the nearest anchors of all visits, as indices into edit.anchor */
@@ -26,14 +25,13 @@ struct decles_suggester {
     struct decles_known_turn *turn; /* a cache */
 };
 
-bool decles_suggester_init(struct decles_suggester *s, const struct grid *g,
-                           struct err *err) WARN_UNUSED;
+bool decles_suggester_init(struct decles_suggester *s, struct err *err) WARN_UNUSED;
 void decles_suggester_free(struct decles_suggester *s); /* harmless on a zeroed struct */
 
-/* Fills suggested (derived_count x k, row-major). Cost: O(|A| + |D|) and the points that are nearer
- * to an anchor than the last of D is; times the number of nearest anchors where there are several
- * motions. */
-bool decles_suggest(struct decles_suggester *s, const struct decles_sets *sets,
+/* Fills suggested (derived_count x k, row-major); of `sets` it changes marks, and puts them back.
+ * Cost: O(|A| + |D|) and the points that are nearer to an anchor than the last of D is; times the
+ * number of nearest anchors where there are several motions. */
+bool decles_suggest(struct decles_suggester *s, struct decles_sets *sets,
                     const struct decles_edit *edit, const struct c1_field *values,
                     double *suggested, struct err *err) WARN_UNUSED;
 
