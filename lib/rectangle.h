@@ -8,7 +8,8 @@
 
 struct rectangle {
     double low[2], high[2]; /* world units, low < high */
-    uint32_t cells[2];
+    uint32_t
+        cells[2]; /* {n, 0}: n along the longer side, as near to regular as whole numbers let */
     enum pattern_kind kind;
     struct lattice_choice lattice;
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "source_io.h"
 
+#include "image_header_io.h"
 #include "mem.h"
 #include "obj_io.h"
 #include "triangulation_io.h"
@@ -96,6 +97,19 @@ static bool from_triangulation(struct grid *g, const struct source *s, struct er
     return ok;
 }
 
+/* An image must be one even where the frame tells the rectangle. */
+static bool from_image(struct grid *g, const struct source *s, struct err *err) {
+    struct source framed = *s;
+    struct image_header image;
+    if (!image_header_read(&image, s->file, err)) return false;
+    if (!s->framed) {
+        framed.rectangle.low[0] = framed.rectangle.low[1] = 0;
+        framed.rectangle.high[0] = image.width;
+        framed.rectangle.high[1] = image.height;
+    }
+    return from_rectangle(g, &framed, err);
+}
+
 static bool make(struct grid *g, const struct source *s, struct surround_report *report,
                  struct err *err) {
     switch (s->kind) {
@@ -107,6 +121,8 @@ static bool make(struct grid *g, const struct source *s, struct surround_report 
         return from_outline(g, s, report, err);
     case SOURCE_POLYGON:
         return from_polygon(g, s, err);
+    case SOURCE_IMAGE:
+        return from_image(g, s, err);
     default:
         return from_triangulation(g, s, err);
     }

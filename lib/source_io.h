@@ -16,12 +16,14 @@ struct source {
         SOURCE_AROUND,        /* around an outline with holes (.xy) */
         SOURCE_POLYGON,       /* the polygon itself (.xy) */
         SOURCE_TRIANGULATION, /* triangulation_io */
+        SOURCE_IMAGE,         /* the rectangle that an image fills, image_header_io */
     } kind;
     const char *file; /* but for RECT; "-": stdin */
     struct lattice_choice lattice;
-    struct rectangle rectangle; /* for RECT, MODEL and AROUND, POLYGON; their lattice is ignored */
-    struct surround surround;
+    struct rectangle rectangle; /* for RECT and IMAGE; MODEL and AROUND; POLYGON: */
+    struct surround surround;   /* their lattice is ignored */
     struct domain domain;
+    bool framed; /* for IMAGE: the rectangle is the frame; else it is 0,0,W,H, one unit a pixel */
 };
 
 /* Completes and builds *g, whose degree, axes and possibly depth are set, and is the caller's to

@@ -9,14 +9,16 @@ static const struct cli_option options[] = {SOURCE_OPTIONS};
 
 /* Options that go with some sources only. */
 #define WITH(source) (1u << ((source)-SOURCE_KEY))
+#define REGULAR      (WITH(OPTION_RECT) | WITH(OPTION_MODEL) | WITH(OPTION_AROUND) | WITH(OPTION_IMAGE))
 static const struct {
     int key;
     unsigned sources;
 } limited[] = {
+    {OPTION_FRAME, WITH(OPTION_IMAGE)},
     {OPTION_MARGIN, WITH(OPTION_MODEL) | WITH(OPTION_AROUND)},
     {OPTION_CELL, WITH(OPTION_MODEL) | WITH(OPTION_AROUND)},
-    {OPTION_CELLS, WITH(OPTION_RECT) | WITH(OPTION_MODEL) | WITH(OPTION_AROUND)},
-    {OPTION_PATTERN, WITH(OPTION_RECT) | WITH(OPTION_MODEL) | WITH(OPTION_AROUND)},
+    {OPTION_CELLS, REGULAR},
+    {OPTION_PATTERN, REGULAR},
     {OPTION_MAX_AREA, WITH(OPTION_POLYGON)},
     {OPTION_MIN_ANGLE, WITH(OPTION_POLYGON)},
     {OPTION_MAX_TRIANGLES, WITH(OPTION_POLYGON)},
@@ -26,8 +28,9 @@ static const struct {
 static const int exclusive[][2] = {{OPTION_DEPTH, OPTION_FLAT}, {OPTION_CELLS, OPTION_CELL}};
 
 void source_options_init(struct source_options *o) {
-    *o = (struct source_options){.axes = {0, 1, 2}, .degree = 5, .bits = 16, .triangles = 1000000};
-    o->source.surround = (struct surround){.margin = -1, .cells = 16};
+    *o = (struct source_options){
+        .axes = {0, 1, 2}, .degree = 5, .cells = {16}, .bits = 16, .triangles = 1000000};
+    o->source.surround = (struct surround){.margin = -1};
     o->source.domain = (struct domain){.max_area = INFINITY, .min_angle = 20};
 }
 
@@ -45,6 +48,18 @@ static bool parse_rect(const struct cli *cli, struct rectangle *rectangle, struc
     memcpy(rectangle->low, r, sizeof rectangle->low);
     memcpy(rectangle->high, r + 2, sizeof rectangle->high);
     return (r[0] < r[2] && r[1] < r[3]) || cli_bad_value(cli, err, "X0 < X1 and Y0 < Y1");
+}
+
+/* Corners of an image, the first pixel's and the last one's: either axis may run backwards. */
+static bool parse_corners(const struct cli *cli, struct rectangle *rectangle, struct err *err) {
+    double r[4];
+    if (!cli_doubles(cli, 4, r, err)) return false;
+    for (int c = 0; c < 2; c++) {
+        if (r[c] == r[c + 2]) return cli_bad_value(cli, err, "X0 != X1 and Y0 != Y1");
+        rectangle->low[c] = fmin(r[c], r[c + 2]);
+        rectangle->high[c] = fmax(r[c], r[c + 2]);
+    }
+    return true;
 }
 
 static bool parse_depth(const struct cli *cli, double depth[2], struct err *err) {
@@ -98,8 +113,11 @@ bool source_option(struct source_options *o, const struct cli *cli, int key, str
     case OPTION_AROUND:
     case OPTION_POLYGON:
     case OPTION_TRIANGULATION:
+    case OPTION_IMAGE:
         s->file = cli->value;
         return true;
+    case OPTION_FRAME:
+        return parse_corners(cli, &s->rectangle, err);
     case OPTION_MARGIN:
         return cli_double(cli, 0, DBL_MAX, &s->surround.margin, err);
     case OPTION_CELLS:
@@ -126,13 +144,14 @@ static bool misuse(struct err *err, const char *what) {
 /* Exactly one source, and no option that does not go with it. */
 static bool check_source(struct source_options *o, struct err *err) {
     int source = 0, n = 0;
-    for (int key = OPTION_RECT; key <= OPTION_TRIANGULATION; key++) {
+    for (int key = OPTION_RECT; key <= OPTION_IMAGE; key++) {
         if (!given(o, key)) continue;
         source = key;
         n++;
     }
     if (n != 1)
-        return misuse(err, "expected one of --rect, --model, --around, --polygon, --triangulation");
+        return misuse(err, "expected one of --rect, --model, --around, --polygon, --triangulation, "
+                           "--image");
     for (size_t i = 0; i < sizeof limited / sizeof *limited; i++)
         if (given(o, limited[i].key) && !(limited[i].sources & WITH(source)))
             return err_set(err, ERR_USAGE, "--%s does not go with --%s; try mkgrid --help",
@@ -148,8 +167,8 @@ static bool check_pairs(const struct source_options *o, struct err *err) {
                            name(exclusive[i][0]), name(exclusive[i][1]));
     if (given(o, OPTION_RECT) && o->cells[1] == 0)
         return misuse(err, "--rect needs --cells NXxNY, as in 16x12");
-    if (!given(o, OPTION_RECT) && o->cells[1] > 0)
-        return misuse(err, "--cells takes two numbers with --rect only");
+    if (!given(o, OPTION_RECT) && !given(o, OPTION_IMAGE) && o->cells[1] > 0)
+        return misuse(err, "--cells takes two numbers with --rect and --image only");
     return true;
 }
 
@@ -159,7 +178,8 @@ bool source_options_end(struct source_options *o, struct err *err) {
     s->lattice.bits = (int)o->bits;
     s->domain.max_triangles = (size_t)o->triangles;
     s->surround.flat = given(o, OPTION_FLAT);
-    if (o->cells[0] > 0) s->surround.cells = (uint32_t)o->cells[0];
+    s->framed = given(o, OPTION_FRAME);
+    s->surround.cells = (uint32_t)o->cells[0];
     for (int c = 0; c < 2; c++) s->rectangle.cells[c] = (uint32_t)o->cells[c];
     return true;
 }

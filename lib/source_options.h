@@ -14,7 +14,9 @@ enum {
     OPTION_AROUND,
     OPTION_POLYGON,
     OPTION_TRIANGULATION,
+    OPTION_IMAGE,
     OPTION_PLANE, /* what goes with them, and what goes with all */
+    OPTION_FRAME,
     OPTION_MARGIN,
     OPTION_CELLS,
     OPTION_CELL,
@@ -38,7 +40,9 @@ enum {
     {OPTION_POLYGON, "polygon", "FILE", "a grid of this polygon with holes (.xy)"},                \
     {OPTION_TRIANGULATION, "triangulation", "FILE",                                                \
         "of these triangles or points (.obj .ele .poly .node .xy)"},                               \
+    {OPTION_IMAGE, "image", "FILE", "a grid on the rectangle of this image"},                      \
     {OPTION_PLANE, "plane", "AXES", "the model axes that are the grid's x and y (default xy)"},    \
+    {OPTION_FRAME, "frame", "X0,Y0,X1,Y1", "where the image lies (default: one unit a pixel)"},    \
     {OPTION_MARGIN, "margin", "M", "around the model (default 0.05 of its larger extent)"},        \
     {OPTION_CELLS, "cells", "N|NXxNY", "cells along the longer side (16); both with --rect"},      \
     {OPTION_CELL, "cell", "SIZE", "or the side of a cell, with --model or --around"},              \

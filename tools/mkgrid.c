@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* mkgrid - makes a grid: on a rectangle or a polygon, around a model or an outline, of triangles.
- */
+/* mkgrid - makes a grid: on a rectangle, a polygon or an image, around a model or an outline, of
+ * triangles. */
 #include "cli.h"
 #include "grid_io.h"
 #include "source_options.h"

@@ -1,0 +1,1 @@
+mkgrid --image "$DATA/images/worm.png" --cell 3

@@ -1,0 +1,1 @@
+mkgrid --image "$DATA/images/worm.png" --cells 4 --lattice 32

@@ -1,0 +1,1 @@
+mkgrid --image no.png --cells 4
