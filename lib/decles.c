@@ -48,8 +48,8 @@ struct decles_editor *decles_new(const struct grid *g, const struct decles_optio
     if (!mem_new(e, 1, err)) return NULL;
     e->max_gain = options->max_gain;
     e->extent = c1_extent(g);
-    if (!decles_sets_init(&e->sets, g, smooth, err) ||
-        !decles_suggester_init(&e->suggester, err) || !mem_new(e->weight, g->point_count, err)) {
+    if (!decles_sets_init(&e->sets, g, smooth, err) || !decles_suggester_init(&e->suggester, err) ||
+        !mem_new(e->weight, g->point_count, err)) {
         decles_free(e);
         return NULL;
     }
@@ -71,12 +71,13 @@ void decles_free(struct decles_editor *e) {
 
 void decles_pin(struct decles_editor *e, uint32_t p, bool pinned) {
     INVARIANT(p < e->sets.grid->point_count);
-    e->sets.mark[p].pinned = pinned;
+    e->sets.pinned[p] = pinned;
+    e->sets.any_pinned = e->sets.any_pinned || pinned;
 }
 
 bool decles_is_pinned(const struct decles_editor *e, uint32_t p) {
     INVARIANT(p < e->sets.grid->point_count);
-    return e->sets.mark[p].pinned;
+    return decles_sets_pinned(&e->sets, p);
 }
 
 void decles_weigh(struct decles_editor *e, uint32_t p, double weight) {

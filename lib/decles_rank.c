@@ -51,8 +51,8 @@ static void sums_fill(struct sums *s, const struct decles_sets *sets,
     for (size_t i = 0; i < y->n; i++) {
         const struct c1_condition *row = &sets->row[y->row[i]];
         for (int j = 0; j < 4; j++) {
-            uint32_t column = sets->mark[row->point[j]].column - 1;
-            if (row->coefficient[j] == 0 || sets->mark[row->point[j]].role == ROLE_DERIVED)
+            uint32_t column = decles_mark(sets, row->point[j])->column - 1;
+            if (row->coefficient[j] == 0 || decles_mark(sets, row->point[j])->role == ROLE_DERIVED)
                 continue;
             if (!s->is_listed[column]) s->list[s->n++] = column;
             s->is_listed[column] = true;
@@ -96,9 +96,9 @@ static bool agrees(const struct sums *s, const struct decles_sets *sets,
         const struct c1_condition *row = &sets->row[y->row[i]];
         for (int j = 0; j < 4; j++) {
             uint32_t p = row->point[j];
-            if (row->coefficient[j] == 0 || sets->mark[p].role == ROLE_DERIVED) continue;
+            if (row->coefficient[j] == 0 || decles_mark(sets, p)->role == ROLE_DERIVED) continue;
             terms += fabs(scaled(y->y[i], shift) * (double)row->coefficient[j]) *
-                     (fixed->extent + magnitude(fixed, sets->mark[p].column - 1));
+                     (fixed->extent + magnitude(fixed, decles_mark(sets, p)->column - 1));
         }
     }
     return c1_holds((struct c1_value){sum.hi, terms});
@@ -129,7 +129,8 @@ static size_t append_points(struct text *t, const struct sums *s, const struct d
     for (size_t i = 0; i < s->n; i++) {
         uint32_t p = sets->fixed[s->list[i]];
         if (mpz_sgn(s->of[s->list[i]]) == 0) continue;
-        if (anchors ? sets->mark[p].role != ROLE_ANCHOR : !sets->mark[p].pinned) continue;
+        if (anchors ? decles_mark(sets, p)->role != ROLE_ANCHOR : !decles_sets_pinned(sets, p))
+            continue;
         if (n < NAMED_MAX) append(t, "%s%u", n == 0 ? title : ", ", p);
         n++;
     }
@@ -190,13 +191,13 @@ static bool ask(struct growth *more, const struct sums *s, const struct decles_s
     bool meets_anchor = false;
     for (size_t i = 0; i < s->n && !meets_anchor; i++)
         meets_anchor = mpz_sgn(s->of[s->list[i]]) != 0 &&
-                       sets->mark[sets->fixed[s->list[i]]].role == ROLE_ANCHOR;
+                       decles_mark(sets, sets->fixed[s->list[i]])->role == ROLE_ANCHOR;
     if (!meets_anchor) return true;
     if (!mem_grow(more->point, &more->cap, more->n + s->n, err)) return false;
     for (size_t i = 0; i < s->n; i++) {
         uint32_t p = sets->fixed[s->list[i]];
-        if (mpz_sgn(s->of[s->list[i]]) == 0 || sets->mark[p].role == ROLE_ANCHOR ||
-            sets->mark[p].pinned)
+        if (mpz_sgn(s->of[s->list[i]]) == 0 || decles_mark(sets, p)->role == ROLE_ANCHOR ||
+            decles_sets_pinned(sets, p))
             continue;
         more->point[more->n++] = p;
     }

@@ -30,13 +30,17 @@ bool decles_sets_init(struct decles_sets *sets, const struct grid *g, bool smoot
     memset(sets, 0, sizeof *sets);
     sets->grid = g;
     sets->smooth = smooth;
-    return mem_new(sets->mark, g->point_count, err) &&
+    return blocks_init(&sets->blocks, g->point_count, err) &&
+           mem_new(sets->mark, blocks_room(g->point_count), err) &&
+           mem_new(sets->pinned, g->point_count, err) &&
            mem_new(sets->ring_done, g->vertex_count, err) &&
            mem_new(sets->is_in_e, (size_t)g->edge_count * (size_t)g->degree, err);
 }
 
 void decles_sets_free(struct decles_sets *sets) {
+    blocks_free(&sets->blocks);
     free(sets->mark);
+    free(sets->pinned);
     free(sets->ring_done);
     free(sets->is_in_e);
     free(sets->ring_vertex);
@@ -68,11 +72,11 @@ static bool add_conditions(struct decles_sets *s, uint32_t p) {
 /* Puts p into D, with its conditions. What has no condition stays out unless it is a slave. */
 static void derive(struct decles_sets *s, uint32_t p, bool is_slave) {
     INVARIANT(p < s->grid->point_count);
-    if (!s->ok || s->mark[p].pinned || s->mark[p].role != ROLE_NONE) return;
+    if (!s->ok || decles_sets_pinned(s, p) || decles_mark(s, p)->role != ROLE_NONE) return;
     if (!add_conditions(s, p) && !is_slave) return;
     s->ok = s->ok && mem_grow(s->derived, &s->cap_derived, s->derived_count + 1, s->err);
     if (!s->ok) return;
-    s->mark[p].role = ROLE_DERIVED;
+    decles_mark_at(s, p)->role = ROLE_DERIVED;
     s->derived[s->derived_count++] = p;
 }
 
@@ -190,11 +194,11 @@ static bool add_anchors(struct decles_sets *s, const struct decles_edit *edit) {
     for (size_t i = 0; i < edit->anchor_count; i++) {
         uint32_t p = edit->anchor[i].point;
         INVARIANT(p < s->grid->point_count);
-        if (s->mark[p].pinned) return err_set(s->err, ERR_REFUSAL, "anchor %u is pinned", p);
-        if (s->mark[p].role == ROLE_ANCHOR)
+        if (decles_sets_pinned(s, p)) return err_set(s->err, ERR_REFUSAL, "anchor %u is pinned", p);
+        if (decles_mark(s, p)->role == ROLE_ANCHOR)
             return err_set(s->err, ERR_INPUT, "point %u is an anchor twice", p);
         if (!mem_grow(s->anchor, &s->cap_anchor, s->anchor_count + 1, s->err)) return false;
-        s->mark[p].role = ROLE_ANCHOR;
+        decles_mark_at(s, p)->role = ROLE_ANCHOR;
         s->anchor[s->anchor_count++] = p;
         add_conditions(s, p);
     }
@@ -213,7 +217,7 @@ static int compare_numbers(const void *a, const void *b) {
 
 /* Takes back the columns of A and F. */
 static void forget_fixed(struct decles_sets *s) {
-    for (size_t i = 0; i < s->fixed_count; i++) s->mark[s->fixed[i]].column = 0;
+    for (size_t i = 0; i < s->fixed_count; i++) decles_mark_at(s, s->fixed[i])->column = 0;
     s->fixed_count = 0;
 }
 
@@ -228,15 +232,16 @@ static bool number(struct decles_sets *s) {
         qsort(s->derived, s->derived_count, sizeof *s->derived, compare_points);
     if (s->condition_count > 1)
         qsort(s->condition, s->condition_count, sizeof *s->condition, compare_numbers);
-    for (size_t i = 0; i < s->derived_count; i++) s->mark[s->derived[i]].column = (uint32_t)i + 1;
+    for (size_t i = 0; i < s->derived_count; i++)
+        decles_mark_at(s, s->derived[i])->column = (uint32_t)i + 1;
     for (size_t r = 0; r < s->condition_count; r++) {
         uint64_t n = s->condition[r];
         s->row[r] = c1_condition(s->grid, (uint32_t)(n / d), (int)(n % d));
         for (int i = 0; i < 4; i++) {
             uint32_t p = s->row[r].point[i];
-            if (s->row[r].coefficient[i] == 0 || s->mark[p].column != 0) continue;
+            if (s->row[r].coefficient[i] == 0 || decles_mark(s, p)->column != 0) continue;
             s->fixed[s->fixed_count++] = p;
-            s->mark[p].column = (uint32_t)s->fixed_count;
+            decles_mark_at(s, p)->column = (uint32_t)s->fixed_count;
         }
     }
     return true;
@@ -266,13 +271,14 @@ bool decles_sets_add(struct decles_sets *s, const uint32_t *points, size_t n, st
 
 void decles_sets_clear(struct decles_sets *s) {
     forget_fixed(s);
-    for (size_t i = 0; i < s->anchor_count; i++) s->mark[s->anchor[i]].role = ROLE_NONE;
+    for (size_t i = 0; i < s->anchor_count; i++) decles_mark_at(s, s->anchor[i])->role = ROLE_NONE;
     for (size_t i = 0; i < s->derived_count; i++) {
-        s->mark[s->derived[i]].role = ROLE_NONE;
-        s->mark[s->derived[i]].column = 0;
+        decles_mark_at(s, s->derived[i])->role = ROLE_NONE;
+        decles_mark_at(s, s->derived[i])->column = 0;
     }
     for (size_t i = 0; i < s->condition_count; i++) s->is_in_e[s->condition[i]] = 0;
     for (size_t i = 0; i < s->ring_count; i++) s->ring_done[s->ring_vertex[i]] = 0;
+    blocks_clear(&s->blocks);
 }
 
 bool decles_fixed_values(const struct decles_sets *s, const struct decles_edit *edit,
@@ -283,7 +289,7 @@ bool decles_fixed_values(const struct decles_sets *s, const struct decles_edit *
     for (size_t i = 0; i < s->fixed_count; i++)
         memcpy(x + i * k, values->q + values->stride * s->fixed[i], k * sizeof *x);
     for (size_t i = 0; i < edit->anchor_count; i++) {
-        uint32_t column = s->mark[edit->anchor[i].point].column; /* 0: in no condition */
+        uint32_t column = decles_mark(s, edit->anchor[i].point)->column; /* 0: in no condition */
         if (column > 0) memcpy(x + (column - 1) * k, edit->anchor[i].to, k * sizeof *x);
     }
     *fixed = x;
@@ -303,8 +309,8 @@ bool decles_matrix_init(struct int_matrix *m, const struct decles_sets *s, bool 
         for (int i = 0; i < 4; i++) {
             uint32_t p = s->row[r].point[i];
             if (s->row[r].coefficient[i] == 0) continue;
-            if ((s->mark[p].role == ROLE_DERIVED) != derived) continue;
-            m->col[n] = s->mark[p].column - 1;
+            if ((decles_mark(s, p)->role == ROLE_DERIVED) != derived) continue;
+            m->col[n] = decles_mark(s, p)->column - 1;
             m->value[n++] = s->row[r].coefficient[i];
         }
         m->start[++rows] = n;

@@ -8,24 +8,24 @@
 #ifndef DECLES_SETS_H
 #define DECLES_SETS_H
 
+#include "blocks.h"
 #include "decles.h"
 #include "sparse.h"
 
 enum decles_role { ROLE_NONE, ROLE_ANCHOR, ROLE_DERIVED };
 
-/* What is known of a point, in one place: an edit touches few pages of the large array. Of its cost
- * on large grids, most is first touches of memory. */
+/* What is known of a point during an edit. */
 struct decles_mark {
     uint32_t column;    /* 1 + index in `derived` or in `fixed`, 0 elsewhere */
     uint32_t near, far; /* for the searches of decles_suggest: 1 + number of the visit; 0 between */
-    uint8_t role;
-    bool pinned; /* the caller's to set; lasts */
+    enum decles_role role;
 };
 
 struct decles_sets {
     const struct grid *grid;
-    bool smooth; /* continuity 1: the types of A and S matter, and there are conditions */
-    struct decles_mark *mark; /* of each point */
+    bool smooth;     /* continuity 1: the types of A and S matter, and there are conditions */
+    bool *pinned;    /* of each point; the caller's to set; lasts */
+    bool any_pinned; /* the same; while false, do not even look */
 
     size_t anchor_count, slave_count, derived_count, condition_count, fixed_count;
     uint32_t *anchor, *derived;
@@ -34,15 +34,33 @@ struct decles_sets {
     uint32_t *fixed;          /* A and F: all points of E that are not in D */
 
     /* private */
-    uint8_t *ring_done;    /* of each vertex: bit 0 ring 1, bit 1 ring 2 is in D */
-    uint8_t *is_in_e;      /* of each condition */
-    uint32_t *ring_vertex; /* where ring_done is not 0 */
+    struct blocks blocks;     /* of points with marks */
+    struct decles_mark *mark; /* zero between edits */
+    uint8_t *ring_done;       /* of each vertex: bit 0 ring 1, bit 1 ring 2 is in D */
+    uint8_t *is_in_e;         /* of each condition */
+    uint32_t *ring_vertex;    /* where ring_done is not 0 */
     size_t ring_count;
     size_t seen; /* conditions of the point that is being added, old and new */
     size_t cap_anchor, cap_derived, cap_condition, cap_row, cap_fixed, cap_ring;
     bool ok; /* false once memory ran out */
     struct err *err;
 };
+
+/* The mark of p to be read; zero unless it was changed in this edit. */
+static inline const struct decles_mark *decles_mark(const struct decles_sets *sets, uint32_t p) {
+    static const struct decles_mark zero = {0};
+    size_t at = blocks_find(&sets->blocks, p);
+    return at == SIZE_MAX ? &zero : &sets->mark[at];
+}
+
+/* The mark of p to be changed. */
+static inline struct decles_mark *decles_mark_at(struct decles_sets *sets, uint32_t p) {
+    return &sets->mark[blocks_place(&sets->blocks, p)];
+}
+
+static inline bool decles_sets_pinned(const struct decles_sets *sets, uint32_t p) {
+    return sets->any_pinned && sets->pinned[p];
+}
 
 /* Allocates marks for grid g, which is borrowed. On failure the struct is safe to free. */
 bool decles_sets_init(struct decles_sets *sets, const struct grid *g, bool smooth,

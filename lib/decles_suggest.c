@@ -53,19 +53,19 @@ static bool search_push(struct decles_search *s, uint32_t *mark, uint32_t p, uin
 
 static bool push_near(struct decles_suggester *s, struct decles_sets *sets, uint32_t p,
                       uint32_t distance, struct err *err) {
-    return search_push(&s->near, &sets->mark[p].near, p, distance, err);
+    return search_push(&s->near, &decles_mark_at(sets, p)->near, p, distance, err);
 }
 
 /* Only points in A and D. */
 static bool push_far(struct decles_suggester *s, struct decles_sets *sets, uint32_t p,
                      uint32_t distance, struct err *err) {
-    return sets->mark[p].role == ROLE_NONE ||
-           search_push(&s->far, &sets->mark[p].far, p, distance, err);
+    return decles_mark(sets, p)->role == ROLE_NONE ||
+           search_push(&s->far, &decles_mark_at(sets, p)->far, p, distance, err);
 }
 
 static void clear_searches(struct decles_suggester *s, struct decles_sets *sets) {
-    while (s->near.count > 0) sets->mark[s->near.visit[--s->near.count].point].near = 0;
-    while (s->far.count > 0) sets->mark[s->far.visit[--s->far.count].point].far = 0;
+    while (s->near.count > 0) decles_mark_at(sets, s->near.visit[--s->near.count].point)->near = 0;
+    while (s->far.count > 0) decles_mark_at(sets, s->far.visit[--s->far.count].point)->far = 0;
 }
 
 typedef bool push(struct decles_suggester *s, struct decles_sets *sets, uint32_t p,
@@ -91,7 +91,7 @@ static bool is_border(const struct decles_sets *sets, uint32_t p) {
     for (uint32_t t = 0; t < n; t++) {
         int count = net_neighbours(sets->grid, p, triangle[t], neighbour);
         for (int j = 0; j < count; j++)
-            if (sets->mark[neighbour[j]].role == ROLE_NONE) return true;
+            if (decles_mark(sets, neighbour[j])->role == ROLE_NONE) return true;
     }
     return false;
 }
@@ -115,7 +115,7 @@ static bool search_far(struct decles_suggester *s, struct decles_sets *sets, str
 /* Appends the nearest anchors of `of`, a neighbour one step nearer than the i-th visit. */
 static bool copy_nearest(struct decles_suggester *s, const struct decles_sets *sets, size_t i,
                          uint32_t of, struct err *err) {
-    uint32_t mark = sets->mark[of].near;
+    uint32_t mark = decles_mark(sets, of)->near;
     const struct decles_visit *from;
     if (mark == 0) return true;
     from = &s->near.visit[mark - 1];
@@ -179,7 +179,7 @@ static bool search_near(struct decles_suggester *s, struct decles_sets *sets, bo
         before = s->near.count;
         if (!expand(s, sets, s->near.visit[i], push_near, err)) return false;
         for (size_t j = before; j < s->near.count; j++)
-            reached += sets->mark[s->near.visit[j].point].role == ROLE_DERIVED;
+            reached += decles_mark(sets, s->near.visit[j].point)->role == ROLE_DERIVED;
     }
     return true;
 }
@@ -249,14 +249,15 @@ bool decles_suggest(struct decles_suggester *s, struct decles_sets *sets,
     for (size_t i = 0; ok && i < sets->derived_count; i++) {
         uint32_t p = sets->derived[i];
         double to[2];
-        suggest(s, edit, several_motions, &sets->mark[p], values->q + values->stride * p, values->k,
-                to);
+        suggest(s, edit, several_motions, decles_mark(sets, p), values->q + values->stride * p,
+                values->k, to);
         memcpy(suggested + i * k, to, k * sizeof *to);
     }
     for (size_t i = 0; ok && i < edit->wish_count; i++) {
         uint32_t p = edit->wish[i].point;
-        if (sets->mark[p].role != ROLE_DERIVED) continue;
-        memcpy(suggested + (sets->mark[p].column - 1) * k, edit->wish[i].to, k * sizeof *suggested);
+        if (decles_mark(sets, p)->role != ROLE_DERIVED) continue;
+        memcpy(suggested + (decles_mark(sets, p)->column - 1) * k, edit->wish[i].to,
+               k * sizeof *suggested);
     }
     clear_searches(s, sets);
     return ok;

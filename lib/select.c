@@ -48,6 +48,7 @@ void select_init(struct select_space *space, const struct grid *grid, const doub
 void select_free(struct select_space *space) {
     for (int i = 0; i < 4; i++) nearest_free(&space->index[i]);
     free(space->nominal);
+    blocks_free(&space->blocks);
     free(space->mark);
     *space = (struct select_space){0};
 }
@@ -201,20 +202,20 @@ bool select_points(struct select_space *space, const struct selector *s, struct 
 }
 
 /* Forgets all marks. */
-static bool new_epoch(struct select_space *space, struct err *err) {
-    size_t n = space->grid->point_count;
-    if (!space->mark && !mem_new(space->mark, n, err)) return false;
-    if (++space->epoch == 0) {
-        memset(space->mark, 0, n * sizeof *space->mark);
-        space->epoch = 1;
-    }
+static bool begin_search(struct select_space *space, struct err *err) {
+    uint32_t n = space->grid->point_count;
+    if (!space->mark)
+        return blocks_init(&space->blocks, n, err) && mem_new(space->mark, blocks_room(n), err);
+    memset(space->mark, 0, space->blocks.count * BLOCK * sizeof *space->mark);
+    blocks_clear(&space->blocks);
     return true;
 }
 
 static bool add_unmarked(struct select_space *space, uint32_t p, struct point_set *set,
                          struct err *err) {
-    if (space->mark[p] == space->epoch) return true;
-    space->mark[p] = space->epoch;
+    bool *mark = &space->mark[blocks_place(&space->blocks, p)];
+    if (*mark) return true;
+    *mark = true;
     return point_set_add(set, p, err);
 }
 
@@ -231,7 +232,7 @@ static bool add_neighbours(struct select_space *space, uint32_t p, uint32_t t,
 bool select_reach(struct select_space *space, const struct point_set *anchors, uint32_t steps,
                   struct point_set *set, struct err *err) {
     size_t first = set->count, at, level_end, seeds;
-    if (!new_epoch(space, err)) return false;
+    if (!begin_search(space, err)) return false;
     for (size_t i = 0; i < anchors->count; i++)
         if (!add_unmarked(space, anchors->point[i], set, err)) return false;
     seeds = set->count - first;

@@ -8,6 +8,7 @@
 #ifndef SELECT_H
 #define SELECT_H
 
+#include "blocks.h"
 #include "grid.h"
 #include "nearest.h"
 #include "polygon.h"
@@ -66,7 +67,8 @@ struct select_space {
     const double (*phi)[2];  /* current positions, borrowed */
     double (*nominal)[2];    /* NULL until needed */
     struct nearest index[4]; /* nominal + 2 corner; count = 0 until needed */
-    uint32_t *mark, epoch;   /* mark[p] == epoch: seen by the current search */
+    struct blocks blocks;    /* of points seen by a search; private */
+    bool *mark;
 };
 
 void select_init(struct select_space *space, const struct grid *grid, const double (*phi)[2]);
