@@ -68,7 +68,7 @@ static const char *png_ihdr(struct bytes *b, int64_t size[2]) {
     colour = number(b, 1);
     if ((depth & (depth - 1)) != 0 || !(depth & png_depths(colour)))
         return "IHDR has no such bit depth with its colour type";
-    if (number(b, 1) != 0 || number(b, 1) != 0 || number(b, 1) > 1)
+    if (number(b, 2) != 0 || number(b, 1) > 1)
         return "IHDR has no such compression, filter or interlace method";
     crc = number(b, 4);
     return b->cut || crc == crc32(0, type, 4 + 13) ? NULL : "the CRC of IHDR is wrong";
@@ -113,7 +113,10 @@ static const char *read_tiff(struct bytes *b, int64_t size[2]) {
     skip(b, 2);
     big = number(b, 2) == BIG;
     word = big ? 8 : 4;
-    if (big && (number(b, 2) != 8 || number(b, 2) != 0)) return "its offsets do not have 8 bytes";
+    if (big) {
+        uint64_t offset = number(b, 2), zero = number(b, 2);
+        if (offset != 8 || zero != 0) return "its offsets do not have 8 bytes";
+    }
     first = number(b, word);
     b->at = 0;
     skip(b, first);
@@ -267,14 +270,16 @@ static bool unknown(const unsigned char *byte, size_t length, struct err *err) {
     return err_set(err, ERR_INPUT, "%s, got a file that begins with the bytes%s", expected, first);
 }
 
+static bool begins(const void *bytes, size_t length, const char *first, size_t n) {
+    return length >= n && memcmp(bytes, first, n) == 0;
+}
+
 bool image_header(struct image_header *h, const void *bytes, size_t length, struct err *err) {
     struct bytes b = {.begin = bytes, .length = length};
     int64_t size[2] = {0, 0};
     const char *wrong;
     size_t i = 0, n = sizeof formats / sizeof *formats;
-    while (i < n &&
-           (length < formats[i].length || memcmp(bytes, formats[i].first, formats[i].length)))
-        i++;
+    while (i < n && !begins(bytes, length, formats[i].first, formats[i].length)) i++;
     if (i == n) return unknown(bytes, length, err);
     wrong = formats[i].read(&b, size);
     if (b.cut) wrong = "it ends within its header";
