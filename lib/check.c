@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "check.h"
+
+#include "c1.h"
+#include "embed.h"
+#include "mem.h"
+#include "stretch.h"
+
+static bool find_overlap(const struct grid *g, char text[SIDES_TEXT_MAX], struct err *err) {
+    double(*at)[2] = NULL, (*world)[2] = NULL;
+    bool ok = mem_new(at, g->vertex_count, err) && mem_new(world, g->vertex_count, err);
+    for (uint32_t v = 0; ok && v < g->vertex_count; v++) {
+        at[v][0] = g->vertex[v][0];
+        at[v][1] = g->vertex[v][1];
+        grid_vertex(g, v, world[v]);
+    }
+    ok = ok && embed_check(g, (const double(*)[2])at, (const double(*)[2])world, text, err);
+    free(at);
+    free(world);
+    return ok;
+}
+
+bool check_init(struct check *c, const struct spline *s, const struct least_rule *rule, bool all,
+                struct err *err) {
+    const struct grid *g = &s->grid;
+    bool ok;
+    *c = (struct check){0};
+    c1_vertices(g, &c->inner_vertices, &c->singular_vertices);
+    ok = topology_survey(&c->topology, g, err) && find_overlap(g, c->overlap, err) &&
+         continuity_survey(&c->continuity, s, err) &&
+         stretch_sample(s, &c->stretch[0], &c->stretch[1], err) &&
+         jacobian_report_init(&c->plane, s, JACOBIAN_PLANE, rule, all, err);
+    if (ok && s->sigma)
+        ok = jacobian_report_init(&c->thickness, s, JACOBIAN_THICKNESS, rule, all, err);
+    if (!ok) check_free(c);
+    return ok;
+}
+
+void check_free(struct check *c) {
+    jacobian_report_free(&c->plane);
+    jacobian_report_free(&c->thickness);
+}
+
+static bool is_certified(const struct jacobian_report *r, const char *what, struct err *err) {
+    if (r->least.verdict == JACOBIAN_CERTIFIED) return true;
+    return err_set(err, ERR_REFUSAL, "%s: %s, see triangle %u", what,
+                   jacobian_verdict_names[r->least.verdict], r->triangle);
+}
+
+bool check_holds(const struct check *c, const struct spline *s, struct err *err) {
+    uint32_t e = c->continuity.worst;
+    if (c->overlap[0]) return err_set(err, ERR_REFUSAL, "triangles overlap: %s", c->overlap);
+    if (c->continuity.edges[0] > 0)
+        return err_set(err, ERR_REFUSAL, "not C1 across %u edges, worst across {%u,%u}",
+                       c->continuity.edges[0], s->grid.edge[e][0], s->grid.edge[e][1]);
+    return is_certified(&c->plane, "det grad phi > 0", err) &&
+           (!s->sigma || is_certified(&c->thickness, "sigma1 > sigma0", err));
+}

@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A patch's coordinates are doubles, that is integers times 2^e for a common e. With those
+ * integers, and n = 2(d-1),
+ *
+ *     n! c_g = d^2 2^2e / (2 area)  g! sum over a+b=g of M(a) M(b) P1_a x P2_b
+ *
+ * where g! = i! j! k!, so that the factor is d^2 2^2e / (n! 2 area). */
+#include "jacobian.h"
+
+#include <limits.h>
+#include <math.h>
+
+/* x = m 2^e, m odd or 0; returns e, INT_MAX for 0. */
+static int split(double x, mpz_t m) {
+    int e;
+    if (x == 0) {
+        mpz_set_ui(m, 0);
+        return INT_MAX;
+    }
+    mpz_set_d(m, ldexp(frexp(x, &e), 53));
+    return e - 53;
+}
+
+/* Doubles into integers times 2^(the returned exponent). */
+static int common_exponent(int n, const double *x, mpz_t *m) {
+    int exponent[2 * GRID_PATCH_MAX], least = INT_MAX;
+    for (int i = 0; i < n; i++) {
+        exponent[i] = split(x[i], m[i]);
+        if (exponent[i] < least) least = exponent[i];
+    }
+    for (int i = 0; i < n; i++)
+        if (exponent[i] != INT_MAX) mpz_mul_2exp(m[i], m[i], (mp_bitcnt_t)(exponent[i] - least));
+    return least == INT_MAX ? 0 : least;
+}
+
+static void scale_factor(mpq_t factor, int exponent) {
+    if (exponent >= 0)
+        mpq_mul_2exp(factor, factor, (mp_bitcnt_t)exponent);
+    else
+        mpq_div_2exp(factor, factor, (mp_bitcnt_t)-exponent);
+}
+
+/* d^2 / (n! 2 area) */
+static void plane_factor(const struct spline *s, uint32_t t, mpq_t factor) {
+    const struct grid *g = &s->grid;
+    const uint32_t *v = g->triangle[t];
+    unsigned long d = (unsigned long)g->degree;
+    mpz_t n_factorial;
+    mpq_t x;
+    mpz_init(n_factorial);
+    mpq_init(x);
+    mpz_fac_ui(n_factorial, 2 * (d - 1));
+    mpq_set_ui(factor, d * d, 1);
+    mpq_set_z(x, n_factorial);
+    mpq_div(factor, factor, x);
+    mpq_set_d(x, (double)predicate_area2(g->vertex[v[0]], g->vertex[v[1]], g->vertex[v[2]]));
+    mpq_div(factor, factor, x);
+    mpq_set_d(x, g->lattice.step);
+    mpq_div(factor, factor, x);
+    mpq_div(factor, factor, x);
+    mpz_clear(n_factorial);
+    mpq_clear(x);
+}
+
+/* i! j! k! for row r = j + k */
+static void factorials(mpz_t product, int n, int r, int k) {
+    mpz_t f;
+    mpz_init(f);
+    mpz_fac_ui(product, (unsigned long)(n - r));
+    mpz_fac_ui(f, (unsigned long)(r - k));
+    mpz_mul(product, product, f);
+    mpz_fac_ui(f, (unsigned long)k);
+    mpz_mul(product, product, f);
+    mpz_clear(f);
+}
+
+/* P1 and P2 times M: p[a] is x1, y1, x2, y2. z holds x and y of the patch. */
+static void weighted_differences(int e, mpz_t *z, mpz_t (*p)[4]) {
+    mpz_t weight, f;
+    mpz_inits(weight, f, NULL);
+    for (int r = 0, a = 0; r <= e; r++)
+        for (int k = 0; k <= r; k++, a++) {
+            mpz_fac_ui(weight, (unsigned long)e);
+            factorials(f, e, r, k);
+            mpz_divexact(weight, weight, f);
+            for (int m = 0; m < 4; m++) {
+                int to = a + r + 1 + m / 2;
+                mpz_sub(p[a][m], z[2 * to + m % 2], z[2 * a + m % 2]);
+                mpz_mul(p[a][m], p[a][m], weight);
+            }
+        }
+    mpz_clears(weight, f, NULL);
+}
+
+static void convolve(int e, mpz_t (*p)[4], mpz_t *c) {
+    mpz_t f;
+    for (int i = 0; i < least_size(2 * e); i++) mpz_set_ui(c[i], 0);
+    for (int r = 0, a = 0; r <= e; r++)
+        for (int k = 0; k <= r; k++, a++)
+            for (int row = 0, b = 0; row <= e; row++)
+                for (int i = 0; i <= row; i++, b++) {
+                    mpz_t *sum = c + (r + row) * (r + row + 1) / 2 + k + i;
+                    mpz_addmul(*sum, p[a][0], p[b][3]);
+                    mpz_submul(*sum, p[a][1], p[b][2]);
+                }
+    mpz_init(f);
+    for (int r = 0; r <= 2 * e; r++)
+        for (int k = 0; k <= r; k++) {
+            factorials(f, 2 * e, r, k);
+            mpz_mul(c[r * (r + 1) / 2 + k], c[r * (r + 1) / 2 + k], f);
+        }
+    mpz_clear(f);
+}
+
+static void plane_coefficients(const struct spline *s, uint32_t t, mpz_t *c, mpq_t factor) {
+    double x[2 * GRID_PATCH_MAX];
+    mpz_t z[2 * GRID_PATCH_MAX], p[GRID_PATCH_MAX][4];
+    uint32_t q[GRID_PATCH_MAX];
+    int d = s->grid.degree, n = 2 * grid_patch_size(d), parts = grid_patch_size(d - 1);
+    grid_patch(&s->grid, t, q);
+    for (int i = 0; i < n; i++) {
+        x[i] = s->phi[q[i / 2]][i % 2];
+        mpz_init(z[i]);
+    }
+    for (int i = 0; i < parts; i++) mpz_inits(p[i][0], p[i][1], p[i][2], p[i][3], NULL);
+    plane_factor(s, t, factor);
+    scale_factor(factor, 2 * common_exponent(n, x, z));
+    weighted_differences(d - 1, z, p);
+    convolve(d - 1, p, c);
+    for (int i = 0; i < n; i++) mpz_clear(z[i]);
+    for (int i = 0; i < parts; i++) mpz_clears(p[i][0], p[i][1], p[i][2], p[i][3], NULL);
+}
+
+static void thickness_coefficients(const struct spline *s, uint32_t t, mpz_t *c, mpq_t factor) {
+    double x[2 * GRID_PATCH_MAX];
+    mpz_t z[2 * GRID_PATCH_MAX];
+    uint32_t q[GRID_PATCH_MAX];
+    mpq_t end;
+    int n = grid_patch_size(s->grid.degree);
+    grid_patch(&s->grid, t, q);
+    for (int i = 0; i < 2 * n; i++) {
+        x[i] = s->sigma[q[i / 2]][i % 2];
+        mpz_init(z[i]);
+    }
+    mpq_init(end);
+    mpq_set_d(factor, s->grid.depth[1]);
+    mpq_set_d(end, s->grid.depth[0]);
+    mpq_sub(factor, factor, end);
+    mpq_inv(factor, factor);
+    mpq_clear(end);
+    scale_factor(factor, common_exponent(2 * n, x, z));
+    for (int i = 0; i < n; i++) mpz_sub(c[i], z[2 * i + 1], z[2 * i]);
+    for (int i = 0; i < 2 * n; i++) mpz_clear(z[i]);
+}
+
+void jacobian_coefficients_exact(const struct spline *s, enum jacobian_kind kind, uint32_t t,
+                                 mpz_t *c, mpq_t factor) {
+    if (kind == JACOBIAN_PLANE)
+        plane_coefficients(s, t, c, factor);
+    else
+        thickness_coefficients(s, t, c, factor);
+}

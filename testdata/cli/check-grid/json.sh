@@ -1,0 +1,1 @@
+check-grid --json --per-triangle "$DATA/good/grid/prism.grid"

@@ -1,0 +1,1 @@
+check-grid "$DATA/good/grid/square.grid"
