@@ -119,9 +119,9 @@ $(BUILD)/fuzz/%: $(BUILD)/lib/fuzz/%.o $(LIB)
 	@mkdir -p $(@D)
 	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $< $(LIB) $(LIBS)
 
-$(BUILD)/bench/%: $(BUILD)/scripts/bench/%.o
+$(BUILD)/bench/%: $(BUILD)/scripts/bench/%.o $(LIB)
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< -lm
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -Wl,--as-needed -o $@ $< $(LIB) $(LIBS)
 
 $(BUILD)/%.o: %.c
 	@mkdir -p $(@D)
