@@ -5,6 +5,7 @@
 #include "embed.h"
 #include "mem.h"
 #include "stretch.h"
+#include "volume.h"
 
 static bool find_overlap(const struct grid *g, char text[SIDES_TEXT_MAX], struct err *err) {
     double(*at)[2] = NULL, (*world)[2] = NULL;
@@ -31,7 +32,8 @@ bool check_init(struct check *c, const struct spline *s, const struct least_rule
          stretch_sample(s, &c->stretch[0], &c->stretch[1], err) &&
          jacobian_report_init(&c->plane, s, JACOBIAN_PLANE, rule, all, err);
     if (ok && s->sigma)
-        ok = jacobian_report_init(&c->thickness, s, JACOBIAN_THICKNESS, rule, all, err);
+        ok = jacobian_report_init(&c->thickness, s, JACOBIAN_THICKNESS, rule, all, err) &&
+             volume_of_prisms(s, &c->volume, &c->volume_ratio, err);
     if (!ok) check_free(c);
     return ok;
 }

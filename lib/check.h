@@ -15,6 +15,7 @@ struct check {
     char overlap[SIDES_TEXT_MAX]; /* where triangles overlap; "": nowhere */
     struct continuity continuity;
     struct jacobian_report plane, thickness; /* thickness only with depth */
+    double volume, volume_ratio;             /* with depth: of the deformed prisms */
     double stretch[2];                       /* sampled singular values of grad phi */
 };
 

@@ -118,7 +118,11 @@ void check_write(struct out *out, const struct check *c, const struct spline *s,
     report_topology(&r, g, c);
     report_continuity(&r, g, &c->continuity);
     report_certificate(&r, plane_keys, g, &c->plane);
-    if (s->sigma) report_certificate(&r, thickness_keys, g, &c->thickness);
+    if (s->sigma) {
+        report_certificate(&r, thickness_keys, g, &c->thickness);
+        report_number(&r, "volume", c->volume);
+        report_number(&r, "volume-ratio", c->volume_ratio);
+    }
     report_numbers(&r, "sampled-singular-values", 2, c->stretch);
     if (all) report_triangles(&r, plane_keys[8], g, &c->plane);
     if (all && s->sigma) report_triangles(&r, thickness_keys[8], g, &c->thickness);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Maps whose least determinant is known exactly: phi = (x, g(x,y)) has det = dg/dy. */
 #include "jacobian.h"
+#include "rational.h"
+#include "volume.h"
 
 #include "testing.h"
 
@@ -272,6 +274,75 @@ static void test_positive_net(void **state) {
     spline_free(&s);
 }
 
+/* integral of s^a t^b over the triangle with legs `size`: size^(a+b+2) a! b! / (a+b+2)! */
+static void integrate(const struct poly *p, double size, mpq_t total) {
+    mpq_t term, factor;
+    mpq_inits(term, factor, NULL);
+    mpq_set_ui(total, 0, 1);
+    for (int a = 0; a < POWERS; a++)
+        for (int b = 0; b < POWERS; b++) {
+            mpq_set_d(term, p->c[a][b]);
+            for (int i = 1; i <= a + b + 2; i++) {
+                mpq_set_d(factor, i <= a ? size * i : i <= a + b ? size * (i - a) : size);
+                mpq_mul(term, term, factor);
+                mpq_set_ui(factor, (unsigned long)i, 1);
+                mpq_div(term, term, factor);
+            }
+            mpq_add(total, total, term);
+        }
+    mpq_clears(term, factor, NULL);
+}
+
+static void give_depth(struct spline *s, const struct poly *thickness, double size) {
+    int d = s->grid.degree;
+    uint32_t q[GRID_PATCH_MAX];
+    s->grid.has_depth = true;
+    s->grid.depth[0] = -1;
+    s->grid.depth[1] = 2;
+    assert_non_null(s->sigma = calloc(s->grid.point_count, sizeof *s->sigma));
+    grid_patch(&s->grid, 0, q);
+    for (int r = 0, i = 0; r <= d; r++)
+        for (int k = 0; k <= r; k++, i++) {
+            s->sigma[q[i]][0] = r - 2 * k;
+            s->sigma[q[i]][1] = s->sigma[q[i]][0] + coefficient(thickness, d, r - k, k, size);
+        }
+}
+
+/* Thickness 3 m + 3 (s-a)^2 + 3 (t-b)^2 over 3: its least value, and the volume, as closed forms.
+ */
+static void test_depth(void **state) {
+    uint64_t seed = 5;
+    (void)state;
+    for (int n = test_count(50); n > 0; n--) {
+        uint64_t start = seed;
+        int degree = (int)random_in(&seed, 3, 8), m = (int)random_in(&seed, -3, 3);
+        int a = (int)random_in(&seed, 0, 400), b = (int)random_in(&seed, 0, 400);
+        struct poly det = dip((double)random_in(&seed, -9, 9), b, a), g = integral(det);
+        struct poly thickness = dip(3 * m, a, b), both = product(det, thickness);
+        struct jacobian_report r;
+        struct spline s;
+        struct err err;
+        double volume, ratio;
+        mpq_t exact;
+        plant(&s, degree, 840, 1, &g);
+        give_depth(&s, &thickness, 840);
+        assert_true(
+            jacobian_report_init(&r, &s, JACOBIAN_THICKNESS, &jacobian_default_rule, true, &err));
+        check_seed(start, r.least.verdict == expected(m));
+        check_seed(start, r.least.low <= m && m <= r.least.high && m <= r.value);
+        assert_true(volume_of_prisms(&s, &volume, &ratio, &err));
+        mpq_init(exact);
+        integrate(&both, 840, exact);
+        check_seed(start, volume == rational_round(exact));
+        mpz_mul_ui(mpq_denref(exact), mpq_denref(exact), 840 * 840 / 2 * 3);
+        mpq_canonicalize(exact);
+        check_seed(start, ratio == rational_round(exact));
+        mpq_clear(exact);
+        jacobian_report_free(&r);
+        spline_free(&s);
+    }
+}
+
 /* phi's component at b, weights in long double, by de Casteljau; derivative towards `to`. */
 static long double derivative(const struct spline *s, const uint32_t *q, int c, const double *b,
                               int to) {
@@ -364,6 +435,7 @@ int main(void) {
         cmocka_unit_test(test_irrational_zero),
         cmocka_unit_test(test_curve_of_zeros),
         cmocka_unit_test(test_positive_net),
+        cmocka_unit_test(test_depth),
         cmocka_unit_test(test_random),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
