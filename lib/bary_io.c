@@ -130,6 +130,7 @@ static bool read_point(struct reader *r, size_t i) {
     if (!mem_grow(r->bary->place, &r->place_cap, i + 1, &src->err)) return false;
     if (src_take(src, "-")) {
         if (!read_outside(src, &r->bary->place[i])) return false;
+        if (r->bary->outside++ == 0) r->bary->first = i;
     } else if (!read_inside(r, &r->bary->place[i]) || !read_depth(r, i)) {
         return false;
     }
