@@ -39,8 +39,11 @@ bool deform_point(struct deform *d, size_t i, const double point[3], double resu
     return true;
 }
 
-/* The derivative of phi, row by row, and its determinant. */
-static void plane_gradient(const int axes[3], double jacobian[3][3], double gradient[5]) {
+/* The derivative of phi at point number i, row by row, and its determinant. */
+static void plane_gradient(struct deform *d, size_t i, const double point[3], double gradient[5]) {
+    const int *axes = d->projection.axes;
+    double ignored[3], jacobian[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    (void)deform_point(d, i, point, ignored, jacobian); /* outside: the identity */
     for (int r = 0; r < 2; r++)
         for (int c = 0; c < 2; c++) gradient[2 * r + c] = jacobian[axes[r]][axes[c]];
     gradient[4] = gradient[0] * gradient[3] - gradient[1] * gradient[2];
@@ -55,13 +58,14 @@ static bool all_finite(const double *x, int n) {
 bool deform_points(struct deform *d, struct deform_batch *batch) {
     batch->outside = 0;
     for (size_t i = 0; i < batch->count; i++) {
-        double image[3], jacobian[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const double *point = batch->points[i];
+        double image[3];
         progress_tell(batch->progress, i, batch->count);
-        if (!deform_point(d, i, batch->points[i], image, batch->gradient ? jacobian : NULL)) {
+        if (!deform_point(d, i, point, image, NULL)) {
             if (batch->outside++ == 0) batch->first = i;
-            memcpy(image, batch->points[i], sizeof image);
+            memcpy(image, point, sizeof image);
         }
-        if (batch->gradient) plane_gradient(d->projection.axes, jacobian, batch->gradient[i]);
+        if (batch->gradient) plane_gradient(d, i, point, batch->gradient[i]);
         if (!all_finite(image, 3) || (batch->gradient && !all_finite(batch->gradient[i], 5))) {
             batch->first = i;
             return false;

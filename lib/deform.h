@@ -28,11 +28,13 @@ void deform_free(struct deform *d);
 
 /* The image of point number i and, unless NULL, the derivative there, jacobian[r][c] = d result_r /
  * d point_c. False: the point lies outside; nothing is set. The result may overflow to infinity.
- * Fast for points that lie near the one before; the answer does not depend on it. */
+ * With a derivative, the image may be rounded in another way. Fast for points that lie near the one
+ * before; the answer does not depend on it. */
 bool deform_point(struct deform *d, size_t i, const double point[3], double result[3],
                   double jacobian[3][3]);
 
-/* Many points at once. Those outside stay where they are, with the derivative of the identity. */
+/* Many points at once; images are the same bit for bit with gradients and without. Those outside
+ * stay where they are, with the derivative of the identity. */
 struct deform_batch {
     size_t count;
     double (*points)[3], (*images)[3]; /* may be the same array */

@@ -136,7 +136,8 @@ struct results {
 static void map_points(struct deform *d, const struct spline *s, const struct projection *by,
                        const struct bary *bary, bool known, double (*model)[3],
                        struct results *results, uint64_t seed) {
-    struct deform_batch batch = {POINTS, model, results->image, results->gradient, 0, 0};
+    struct deform_batch batch = {
+        .count = POINTS, .points = model, .images = results->image, .gradient = results->gradient};
     struct err err = {0};
     assert_true(deform_init(d, s, by, known ? bary->place : NULL, &err));
     check_seed(seed, deform_points(d, &batch));
@@ -149,9 +150,11 @@ static void check_single(struct deform *d, size_t i, const double point[3],
                          const struct results *results, uint64_t seed) {
     const double *gradient = results->gradient[i];
     const int *axes = d->projection.axes;
-    double value[3], j[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    if (!deform_point(d, i, point, value, j)) memcpy(value, point, sizeof value);
+    double value[3], other[3], j[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (!deform_point(d, i, point, value, NULL)) memcpy(value, point, sizeof value);
     check_seed(seed, memcmp(results->image[i], value, sizeof value) == 0);
+    if (deform_point(d, i, point, other, j))
+        for (int k = 0; k < 3; k++) check_seed(seed, fabs(value[k] - other[k]) < 1e-13);
     for (int k = 0; k < 4; k++) check_seed(seed, gradient[k] == j[axes[k / 2]][axes[k % 2]]);
     check_seed(seed, gradient[4] == gradient[0] * gradient[3] - gradient[1] * gradient[2]);
 }
