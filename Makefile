@@ -132,6 +132,7 @@ $(BUILD)/%.o: %.cc
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -MMD -MP -c -o $@ $<
 
 $(BUILD)/lib/shim_cgal.o: CXXFLAGS += -frounding-math # for CGAL's interval arithmetic
+$(BUILD)/scripts/bench/cgal_locate.o: CXXFLAGS += -frounding-math -DNDEBUG
 
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
