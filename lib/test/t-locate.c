@@ -112,8 +112,17 @@ static void choose_point(const struct grid *g, uint64_t *s, double p[2]) {
     }
 }
 
-static const struct lattice lattices[] = {
-    {1, 0, 0}, {0.1, 0, 0}, {0.1, 12.3, -1e3}, {0x1p-20, 1, 2}, {7e-5, -0.1, 1e-3}};
+enum { LATTICES = 10 };
+static const struct lattice lattices[LATTICES] = {{1, 0, 0},
+                                                  {0.1, 0, 0},
+                                                  {0.1, 12.3, -1e3},
+                                                  {0x1p-20, 1, 2},
+                                                  {7e-5, -0.1, 1e-3},
+                                                  {0x1p1005, 0, 0x1p1015},
+                                                  {0x1.8p900, -1e273, 3},
+                                                  {0x1p-1060, 0, 0x1p-1070},
+                                                  {1e-170, 0, 0},
+                                                  {1e200, 1e205, 0}};
 
 static void against_brute_force(void **unused) {
     for (int i = 0; i < test_count(120); i++) {
@@ -124,7 +133,7 @@ static void against_brute_force(void **unused) {
         uint32_t hint = 0;
         double p[2];
         random_grid(&g, 4, 1, seed);
-        g.lattice = lattices[i % 5];
+        g.lattice = lattices[i % LATTICES];
         assert_true(locator_init(&l, &g, &err));
         for (int n = 0; n < 150; n++) {
             if (random_in(&s, 0, 1)) hint = (uint32_t)random_in(&s, 0, g.triangle_count - 1);
@@ -163,7 +172,7 @@ static void needles(void **unused) {
     }
     assert_true(grid_build(&g, &err));
     assert_true(locator_init(&l, &g, &err));
-    assert_true(l.start[l.size[0] * l.size[1]] <= 16 * N);
+    assert_true(l.cell[l.size[0] * l.size[1]].start <= 16 * N);
     for (int i = 0; i < test_count(300); i++) {
         choose_point(&g, &s, p);
         check_point(&l, p, &hint, s);

@@ -39,9 +39,8 @@ int main(int argc, char **argv) {
         make_points(point, box, shuffled);
         printf("%s %.2f\n", shuffled ? "shuffled" : "raster", measure(&l, point, &sum));
     }
-    fprintf(stderr, "%u triangles, sum %.17g\n", file.spline.grid.triangle_count, sum);
     locator_free(&l);
     grid_file_free(&file);
     free(point);
-    return 0;
+    return sum > 0 ? 0 : 1; /* so that the sum is needed */
 }
