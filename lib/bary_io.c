@@ -31,9 +31,10 @@ static bool read_hex(const char *word, size_t length, uint32_t *n) {
     static const char digits[] = "0123456789abcdef";
     *n = 0;
     for (size_t i = 0; i < length; i++) {
-        const char *d = memchr(digits, word[i], 16);
-        if (!d) return false;
-        *n = *n << 4 | (uint32_t)(d - digits);
+        uint32_t d = 0;
+        while (d < 16 && digits[d] != word[i]) d++;
+        if (d == 16) return false;
+        *n = *n << 4 | d;
     }
     return length == 8;
 }
