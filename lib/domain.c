@@ -34,24 +34,10 @@ static struct shim_cgal_sides sides_at(const struct work *w, const double (*poin
                                     w->polygon->point_count};
 }
 
-static bool precedes(const double a[2], const double b[2]) {
-    return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
-}
-
-/* +1 for a counter-clockwise loop: the turn at its lowest point by (x, y), which is convex. A spike
- * there gives 0; then the loop is not simple, and will be refused whatever its sense. */
-static int loop_sense(const struct polygon *g, size_t loop) {
-    size_t first = g->loop_start[loop], end = g->loop_start[loop + 1], low = first;
-    for (size_t i = first; i < end; i++)
-        if (precedes(g->point[i], g->point[low])) low = i;
-    return predicate_orient(g->point[low == first ? end - 1 : low - 1], g->point[low],
-                            g->point[g->next[low]]);
-}
-
 static void orient_sides(struct work *w) {
     const struct polygon *g = w->polygon;
     for (size_t l = 0; l < g->loop_count; l++) {
-        bool reversed = loop_sense(g, l) == (l == 0 ? -1 : 1);
+        bool reversed = polygon_sense(g, l) == (l == 0 ? -1 : 1);
         for (size_t i = g->loop_start[l]; i < g->loop_start[l + 1]; i++) {
             w->side[i][reversed] = (uint32_t)i;
             w->side[i][!reversed] = (uint32_t)g->next[i];

@@ -110,7 +110,7 @@ static bool between(double x, double a, double b) {
     return a < b ? a <= x && x <= b : b <= x && x <= a;
 }
 
-int polygon_side(const struct polygon *g, const double p[2]) {
+int polygon_find(const struct polygon *g, const double p[2], size_t *edge) {
     bool inside = false;
     size_t band;
     if (!between(p[0], g->lo[0], g->hi[0]) || !between(p[1], g->lo[1], g->hi[1])) return -1;
@@ -121,8 +121,33 @@ int polygon_side(const struct polygon *g, const double p[2]) {
         int side;
         if (!between(p[1], a[1], b[1]) || (p[0] > a[0] && p[0] > b[0])) continue;
         side = predicate_orient(a, b, p);
-        if (side == 0 && between(p[0], a[0], b[0])) return 0;
+        if (side == 0 && between(p[0], a[0], b[0])) {
+            *edge = i;
+            return 0;
+        }
         if ((a[1] > p[1]) != (b[1] > p[1]) && (side > 0) == (b[1] > a[1])) inside = !inside;
     }
     return inside ? 1 : -1;
+}
+
+int polygon_side(const struct polygon *g, const double p[2]) {
+    size_t edge;
+    return polygon_find(g, p, &edge);
+}
+
+static bool precedes(const double a[2], const double b[2]) {
+    return a[0] < b[0] || (a[0] == b[0] && a[1] < b[1]);
+}
+
+size_t polygon_lowest(const struct polygon *g, size_t loop) {
+    size_t low = g->loop_start[loop];
+    for (size_t i = low + 1; i < g->loop_start[loop + 1]; i++)
+        if (precedes(g->point[i], g->point[low])) low = i;
+    return low;
+}
+
+int polygon_sense(const struct polygon *g, size_t loop) {
+    size_t low = polygon_lowest(g, loop);
+    size_t before = low == g->loop_start[loop] ? g->loop_start[loop + 1] - 1 : low - 1;
+    return predicate_orient(g->point[before], g->point[low], g->point[g->next[low]]);
 }

@@ -32,6 +32,17 @@ void polygon_free(struct polygon *g);
  */
 int polygon_side(const struct polygon *g, const double p[2]);
 
+/* The same; where the answer is 0, *edge is the lowest-numbered edge (named by its first point)
+ * that p lies on. */
+int polygon_find(const struct polygon *g, const double p[2], size_t *edge);
+
+/* The first of a loop's points that are lowest by (x, y). */
+size_t polygon_lowest(const struct polygon *g, size_t loop);
+
+/* +1 for a counter-clockwise loop, -1 for a clockwise one: the turn at its lowest point, which is
+ * convex. 0, for a spike there, or a wrong answer only if the loop is not simple. */
+int polygon_sense(const struct polygon *g, size_t loop);
+
 /* Inside or on a loop. */
 static inline bool polygon_has(const struct polygon *g, const double p[2]) {
     return polygon_side(g, p) >= 0;
