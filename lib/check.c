@@ -3,23 +3,8 @@
 
 #include "c1.h"
 #include "embed.h"
-#include "mem.h"
 #include "stretch.h"
 #include "volume.h"
-
-static bool find_overlap(const struct grid *g, char text[SIDES_TEXT_MAX], struct err *err) {
-    double(*at)[2] = NULL, (*world)[2] = NULL;
-    bool ok = mem_new(at, g->vertex_count, err) && mem_new(world, g->vertex_count, err);
-    for (uint32_t v = 0; ok && v < g->vertex_count; v++) {
-        at[v][0] = g->vertex[v][0];
-        at[v][1] = g->vertex[v][1];
-        grid_vertex(g, v, world[v]);
-    }
-    ok = ok && embed_check(g, (const double(*)[2])at, (const double(*)[2])world, text, err);
-    free(at);
-    free(world);
-    return ok;
-}
 
 bool check_init(struct check *c, const struct spline *s, const struct least_rule *rule, bool all,
                 struct err *err) {
@@ -27,7 +12,7 @@ bool check_init(struct check *c, const struct spline *s, const struct least_rule
     bool ok;
     *c = (struct check){0};
     c1_vertices(g, &c->inner_vertices, &c->singular_vertices);
-    ok = topology_survey(&c->topology, g, err) && find_overlap(g, c->overlap, err) &&
+    ok = topology_survey(&c->topology, g, err) && embed_check_grid(g, c->overlap, err) &&
          continuity_survey(&c->continuity, s, err) &&
          stretch_sample(s, &c->stretch[0], &c->stretch[1], err) &&
          jacobian_report_init(&c->plane, s, JACOBIAN_PLANE, rule, all, err);

@@ -74,6 +74,20 @@ bool embed_check(const struct grid *g, const double (*at)[2], const double (*wor
     return ok;
 }
 
+bool embed_check_grid(const struct grid *g, char text[SIDES_TEXT_MAX], struct err *err) {
+    double(*at)[2] = NULL, (*world)[2] = NULL;
+    bool ok = mem_new(at, g->vertex_count, err) && mem_new(world, g->vertex_count, err);
+    for (uint32_t v = 0; ok && v < g->vertex_count; v++) {
+        at[v][0] = g->vertex[v][0];
+        at[v][1] = g->vertex[v][1];
+        grid_vertex(g, v, world[v]);
+    }
+    ok = ok && embed_check(g, (const double(*)[2])at, (const double(*)[2])world, text, err);
+    free(at);
+    free(world);
+    return ok;
+}
+
 static bool check_areas(const struct grid *g, const struct snap *s, struct err *err) {
     for (uint32_t t = 0; t < g->triangle_count; t++) {
         const uint32_t *c = g->triangle[t];

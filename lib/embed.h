@@ -19,6 +19,9 @@
 bool embed_check(const struct grid *g, const double (*at)[2], const double (*world)[2],
                  char text[SIDES_TEXT_MAX], struct err *err) WARN_UNUSED;
 
+/* The same for a grid as it is. */
+bool embed_check_grid(const struct grid *g, char text[SIDES_TEXT_MAX], struct err *err) WARN_UNUSED;
+
 /* Checks and builds *g, whose vertices were snapped and whose fields up to `triangle` are set. What
  * is refused (ERR_REFUSAL, with the place) is the lattice's fault, on which triangles turn over,
  * vanish or overlap, or that of the triangulation: its topology, or overlaps of the triangles as
