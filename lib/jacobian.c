@@ -9,7 +9,8 @@
  *
  * the code takes (2N + 16) u, which covers terms of second order and the bound's own roundings.
  * That maximum is to lie within 2^-400 .. 2^400, far from underflow and overflow, as is `factor`.
- */
+ * The polar form is the mean of two such sums, with P1 of one net and P2 of the other: 2N pairs,
+ * and halving rounds nothing. */
 #include "jacobian.h"
 
 #include "mem.h"
@@ -42,39 +43,46 @@ static void multinomials(int n, double *m) {
     }
 }
 
-/* P1 and P2 times their weights: x1, y1, x2, y2, one after the other. Returns the maximum that
- * bounds the products. */
-static double differences(const struct spline *s, uint32_t t, double p[4][GRID_PATCH_MAX]) {
+/* P1 and P2 of a net times their weights, and the largest of each before that; [m]: x1, y1, x2, y2.
+ */
+struct differences {
+    double p[4][GRID_PATCH_MAX], most[4];
+};
+
+static void find_differences(const struct spline *s, uint32_t t, struct differences *of) {
     uint32_t q[GRID_PATCH_MAX];
-    double weight[GRID_PATCH_MAX], most[4] = {0};
+    double weight[GRID_PATCH_MAX];
     int e = s->grid.degree - 1;
     grid_patch(&s->grid, t, q);
     multinomials(e, weight);
+    for (int m = 0; m < 4; m++) of->most[m] = 0;
     for (int r = 0, a = 0; r <= e; r++)
         for (int k = 0; k <= r; k++, a++) {
             const double *from = s->phi[q[a]];
             const double *to[2] = {s->phi[q[a + r + 1]], s->phi[q[a + r + 2]]};
             for (int m = 0; m < 4; m++) {
                 double difference = to[m / 2][m % 2] - from[m % 2];
-                most[m] = fmax(most[m], fabs(difference));
-                p[m][a] = weight[a] * difference;
+                of->most[m] = fmax(of->most[m], fabs(difference));
+                of->p[m][a] = weight[a] * difference;
             }
         }
-    return most[0] * most[3] + most[1] * most[2];
 }
 
-/* c_g = sum over a+b=g of P1_a x P2_b: rows add, and places k within rows. */
-static void convolve(int e, double p[4][GRID_PATCH_MAX], double *c) {
-    for (int i = 0; i < least_size(2 * e); i++) c[i] = 0;
+/* c_g += sum over a+b=g of P1_a x P2_b, P1 of one net, P2 of the other: rows add, and places k
+ * within rows. Returns the maximum that bounds the products. */
+static double convolve(int e, const struct differences *one, const struct differences *other,
+                       double *c) {
     for (int r = 0, a = 0; r <= e; r++)
         for (int k = 0; k <= r; k++, a++) {
-            double x = p[0][a], y = p[1][a];
+            double x = one->p[0][a], y = one->p[1][a];
             for (int row = 0; row <= e; row++) {
-                const double *x2 = p[2] + row * (row + 1) / 2, *y2 = p[3] + row * (row + 1) / 2;
+                int first = row * (row + 1) / 2;
+                const double *x2 = other->p[2] + first, *y2 = other->p[3] + first;
                 double *sum = c + (r + row) * (r + row + 1) / 2 + k;
                 for (int i = 0; i <= row; i++) sum[i] += x * y2[i] - y * x2[i];
             }
         }
+    return one->most[0] * other->most[3] + one->most[1] * other->most[2];
 }
 
 static double area2(const struct grid *g, uint32_t t) {
@@ -82,41 +90,51 @@ static double area2(const struct grid *g, uint32_t t) {
     return (double)predicate_area2(g->vertex[v[0]], g->vertex[v[1]], g->vertex[v[2]]);
 }
 
-static bool plane_coefficients(const struct spline *s, uint32_t t, double *c, double *error,
-                               double *factor) {
-    double p[4][GRID_PATCH_MAX], multinomial[LEAST_SIZE_MAX], most;
-    int d = s->grid.degree, n = 2 * (d - 1);
-    most = differences(s, t, p);
-    *error = (2 * least_size(d - 1) + 16) * 0x1p-53 * most;
+static bool plane_polar(const struct spline *s, const struct spline *r, uint32_t t, double *c,
+                        double *error, double *factor) {
+    struct differences p[2];
+    double multinomial[LEAST_SIZE_MAX], most;
+    int d = s->grid.degree, n = 2 * (d - 1), sums = r == s ? 1 : 2;
+    for (int i = 0; i < least_size(n); i++) c[i] = 0;
+    find_differences(s, t, &p[0]);
+    if (sums == 2) find_differences(r, t, &p[1]);
+    most = convolve(d - 1, &p[0], &p[sums - 1], c);
+    if (sums == 2) most = 0.5 * (most + convolve(d - 1, &p[1], &p[0], c));
+    *error = (2 * sums * least_size(d - 1) + 16) * 0x1p-53 * most;
     *factor = d * d / (area2(&s->grid, t) * s->grid.lattice.step * s->grid.lattice.step);
-    if (!in_range(most) || !in_range(*factor)) return false;
-    convolve(d - 1, p, c);
     multinomials(n, multinomial);
-    for (int i = 0; i < least_size(n); i++) c[i] /= multinomial[i];
-    return true;
+    for (int i = 0; i < least_size(n); i++) c[i] /= sums * multinomial[i];
+    return in_range(most) && in_range(*factor);
 }
 
-static bool thickness_coefficients(const struct spline *s, uint32_t t, double *c, double *error,
-                                   double *factor) {
+static bool thickness_polar(const struct spline *s, const struct spline *r, uint32_t t, double *c,
+                            double *error, double *factor) {
     uint32_t q[GRID_PATCH_MAX];
     double most = 0;
     grid_patch(&s->grid, t, q);
     for (int i = 0; i < grid_patch_size(s->grid.degree); i++) {
-        c[i] = s->sigma[q[i]][1] - s->sigma[q[i]][0];
-        most = fmax(most, fabs(c[i]));
+        double one = s->sigma[q[i]][1] - s->sigma[q[i]][0];
+        double other = r->sigma[q[i]][1] - r->sigma[q[i]][0];
+        c[i] = 0.5 * (one + other);
+        most = fmax(most, fmax(fabs(one), fabs(other)));
     }
-    *error = 0x1p-52 * most;
+    *error = (r == s ? 0x1p-52 : 0x1p-51) * most;
     *factor = 1 / (s->grid.depth[1] - s->grid.depth[0]);
     return in_range(most) && in_range(*factor);
 }
 
-bool jacobian_coefficients(const struct spline *s, enum jacobian_kind kind, uint32_t t, double *c,
-                           double *error, double *factor) {
-    return kind == JACOBIAN_PLANE ? plane_coefficients(s, t, c, error, factor)
-                                  : thickness_coefficients(s, t, c, error, factor);
+bool jacobian_polar(const struct spline *s, const struct spline *r, enum jacobian_kind kind,
+                    uint32_t t, double *c, double *error, double *factor) {
+    return kind == JACOBIAN_PLANE ? plane_polar(s, r, t, c, error, factor)
+                                  : thickness_polar(s, r, t, c, error, factor);
 }
 
-static enum jacobian_verdict verdict_of(int low_sign, int high_sign) {
+bool jacobian_coefficients(const struct spline *s, enum jacobian_kind kind, uint32_t t, double *c,
+                           double *error, double *factor) {
+    return jacobian_polar(s, s, kind, t, c, error, factor);
+}
+
+enum jacobian_verdict jacobian_verdict_of(int low_sign, int high_sign) {
     return low_sign > 0     ? JACOBIAN_CERTIFIED
            : high_sign < 0  ? JACOBIAN_FOLDS
            : high_sign == 0 ? JACOBIAN_DEGENERATE
@@ -127,7 +145,7 @@ static enum jacobian_verdict verdict_of(int low_sign, int high_sign) {
 static void scale(const struct least *f, double factor, struct jacobian_bounds *b) {
     b->low = f->low * factor - fabs(f->low * factor) * 0x1p-49;
     b->high = f->high * factor + fabs(f->high * factor) * 0x1p-49;
-    b->verdict = verdict_of((f->low > 0) - (f->low < 0), (f->high > 0) - (f->high < 0));
+    b->verdict = jacobian_verdict_of((f->low > 0) - (f->low < 0), (f->high > 0) - (f->high < 0));
 }
 
 /* The double next to x in the direction of `up`, unless x is a double. */
@@ -142,17 +160,6 @@ static double round_towards(const mpq_t x, bool up) {
     mpq_clear(q);
     if (side == 0 || (side > 0) == up) return nearest;
     return nextafter(nearest, up ? INFINITY : -INFINITY);
-}
-
-/* Halves taken in doubles: the coordinates are multiples of 2^-60. */
-static void place_of_doubles(struct least_place *p, const double b[3]) {
-    mp_bitcnt_t common = 60;
-    for (int l = 0; l < 3; l++) {
-        mpz_set_d(p->weight[l], ldexp(b[l], 60));
-        if (mpz_sgn(p->weight[l]) != 0 && mpz_scan1(p->weight[l], 0) < common)
-            common = mpz_scan1(p->weight[l], 0);
-    }
-    for (int l = 0; l < 3; l++) mpz_fdiv_q_2exp(p->weight[l], p->weight[l], common);
 }
 
 struct exact_polynomial {
@@ -190,7 +197,7 @@ static bool triangle_exact(const struct spline *s, enum jacobian_kind kind, uint
         mpq_mul(x.high, x.high, p->factor);
         b->low = round_towards(x.low, false);
         b->high = round_towards(x.high, true);
-        b->verdict = verdict_of(mpq_sgn(x.low), mpq_sgn(x.high));
+        b->verdict = jacobian_verdict_of(mpq_sgn(x.low), mpq_sgn(x.high));
         for (int l = 0; l < 3; l++) mpz_swap(place->weight[l], x.place.weight[l]);
     }
     least_exact_free(&x);
@@ -206,7 +213,7 @@ bool jacobian_triangle(struct least_room *room, const struct spline *s, enum jac
     if (jacobian_coefficients(s, kind, t, c, &error, &factor) &&
         least_double(room, jacobian_degree(s, kind), c, error, rule, &f)) {
         scale(&f, factor, bounds);
-        place_of_doubles(place, f.place);
+        least_place_set(place, f.place);
         return true;
     }
     return triangle_exact(s, kind, t, rule, bounds, place, err);
@@ -266,7 +273,7 @@ static bool look(const struct survey *v, uint32_t t, struct err *err) {
     if (b->high >= r->least.high) return true;
     r->least.high = b->high;
     r->triangle = t;
-    place_of_doubles(&r->place, f.place);
+    least_place_set(&r->place, f.place);
     return true;
 }
 

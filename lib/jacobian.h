@@ -10,7 +10,14 @@
  * det grad psi = det grad phi * thickness, thickness = (sigma1 - sigma0) / (b - a), of degree d.
  * Least values of both are bounded by least.h, in doubles as long as that decides, then in
  * integers: doubles are rational numbers, and everything is exact about the numbers as they are
- * stored. Decles.md, "Non-degeneracy". */
+ * stored. Decles.md, "Non-degeneracy".
+ *
+ * det is a quadratic form of the net, and has a polar form of two nets on the same grid,
+ *
+ *   d^2 / (2 area) sum over a+b=g of M(a) M(b) / M(g) (P1_a x R2_b + R1_a x P2_b) / 2,
+ *
+ * which is det itself where the nets are the same. That of the thickness, which is linear, is the
+ * mean of the two. */
 #ifndef JACOBIAN_H
 #define JACOBIAN_H
 
@@ -28,6 +35,9 @@ enum jacobian_verdict {
 
 /* "certified", "undecided", "degenerate", "folds" */
 extern const char *const jacobian_verdict_names[];
+
+/* From the signs of a lower and an upper bound of the least value. */
+enum jacobian_verdict jacobian_verdict_of(int low, int high);
 
 /* Doubles rounded outwards: low <= min <= high. Beyond the range of doubles they are infinite. */
 struct jacobian_bounds {
@@ -71,5 +81,11 @@ bool jacobian_coefficients(const struct spline *s, enum jacobian_kind kind, uint
 /* The same in integers, exactly: factor times c. c: room for LEAST_SIZE_MAX, initialised. */
 void jacobian_coefficients_exact(const struct spline *s, enum jacobian_kind kind, uint32_t t,
                                  mpz_t *c, mpq_t factor);
+
+/* Both for the polar form of s and r, deformations on the same grid. */
+bool jacobian_polar(const struct spline *s, const struct spline *r, enum jacobian_kind kind,
+                    uint32_t t, double *c, double *error, double *factor);
+void jacobian_polar_exact(const struct spline *s, const struct spline *r, enum jacobian_kind kind,
+                          uint32_t t, mpz_t *c, mpq_t factor);
 
 #endif

@@ -92,71 +92,115 @@ static void weighted_differences(int e, mpz_t *z, mpz_t (*p)[4]) {
     mpz_clears(weight, f, NULL);
 }
 
-static void convolve(int e, mpz_t (*p)[4], mpz_t *c) {
-    mpz_t f;
-    for (int i = 0; i < least_size(2 * e); i++) mpz_set_ui(c[i], 0);
+/* sum += P1_a x P2_b, P1 of one net, P2 of the other. */
+static void convolve(int e, mpz_t (*one)[4], mpz_t (*other)[4], mpz_t *sum) {
     for (int r = 0, a = 0; r <= e; r++)
         for (int k = 0; k <= r; k++, a++)
             for (int row = 0, b = 0; row <= e; row++)
                 for (int i = 0; i <= row; i++, b++) {
-                    mpz_t *sum = c + (r + row) * (r + row + 1) / 2 + k + i;
-                    mpz_addmul(*sum, p[a][0], p[b][3]);
-                    mpz_submul(*sum, p[a][1], p[b][2]);
+                    mpz_t *c = sum + (r + row) * (r + row + 1) / 2 + k + i;
+                    mpz_addmul(*c, one[a][0], other[b][3]);
+                    mpz_submul(*c, one[a][1], other[b][2]);
                 }
+}
+
+static void multiply_factorials(int n, mpz_t *c) {
+    mpz_t f;
     mpz_init(f);
-    for (int r = 0; r <= 2 * e; r++)
-        for (int k = 0; k <= r; k++) {
-            factorials(f, 2 * e, r, k);
-            mpz_mul(c[r * (r + 1) / 2 + k], c[r * (r + 1) / 2 + k], f);
+    for (int r = 0, i = 0; r <= n; r++)
+        for (int k = 0; k <= r; k++, i++) {
+            factorials(f, n, r, k);
+            mpz_mul(c[i], c[i], f);
         }
     mpz_clear(f);
 }
 
-static void plane_coefficients(const struct spline *s, uint32_t t, mpz_t *c, mpq_t factor) {
-    double x[2 * GRID_PATCH_MAX];
-    mpz_t z[2 * GRID_PATCH_MAX], p[GRID_PATCH_MAX][4];
+/* One net or two: the components of its points as integers, 2 a point. */
+struct nets {
+    int count, points, exponent; /* common to both */
+    mpz_t z[2][2 * GRID_PATCH_MAX];
+};
+
+static void nets_init(struct nets *nets, const struct grid *g, uint32_t t, const double (*one)[2],
+                      const double (*other)[2]) {
     uint32_t q[GRID_PATCH_MAX];
-    int d = s->grid.degree, n = 2 * grid_patch_size(d), parts = grid_patch_size(d - 1);
-    grid_patch(&s->grid, t, q);
-    for (int i = 0; i < n; i++) {
-        x[i] = s->phi[q[i / 2]][i % 2];
-        mpz_init(z[i]);
+    double x[2 * GRID_PATCH_MAX];
+    int exponent[2] = {0};
+    nets->count = one == other ? 1 : 2;
+    nets->points = grid_patch_size(g->degree);
+    grid_patch(g, t, q);
+    for (int h = 0; h < nets->count; h++) {
+        for (int i = 0; i < 2 * nets->points; i++) {
+            x[i] = (h ? other : one)[q[i / 2]][i % 2];
+            mpz_init(nets->z[h][i]);
+        }
+        exponent[h] = common_exponent(2 * nets->points, x, nets->z[h]);
     }
-    for (int i = 0; i < parts; i++) mpz_inits(p[i][0], p[i][1], p[i][2], p[i][3], NULL);
-    plane_factor(s, t, factor);
-    scale_factor(factor, 2 * common_exponent(n, x, z));
-    weighted_differences(d - 1, z, p);
-    convolve(d - 1, p, c);
-    for (int i = 0; i < n; i++) mpz_clear(z[i]);
-    for (int i = 0; i < parts; i++) mpz_clears(p[i][0], p[i][1], p[i][2], p[i][3], NULL);
+    nets->exponent = exponent[0];
+    if (nets->count == 2 && exponent[1] < exponent[0]) nets->exponent = exponent[1];
+    for (int h = 0; h < nets->count; h++)
+        for (int i = 0; i < 2 * nets->points; i++)
+            mpz_mul_2exp(nets->z[h][i], nets->z[h][i], (mp_bitcnt_t)(exponent[h] - nets->exponent));
 }
 
-static void thickness_coefficients(const struct spline *s, uint32_t t, mpz_t *c, mpq_t factor) {
-    double x[2 * GRID_PATCH_MAX];
-    mpz_t z[2 * GRID_PATCH_MAX];
-    uint32_t q[GRID_PATCH_MAX];
-    mpq_t end;
-    int n = grid_patch_size(s->grid.degree);
-    grid_patch(&s->grid, t, q);
-    for (int i = 0; i < 2 * n; i++) {
-        x[i] = s->sigma[q[i / 2]][i % 2];
-        mpz_init(z[i]);
+static void nets_free(struct nets *nets) {
+    for (int h = 0; h < nets->count; h++)
+        for (int i = 0; i < 2 * nets->points; i++) mpz_clear(nets->z[h][i]);
+}
+
+static void plane_polar(const struct spline *s, const struct spline *r, uint32_t t, mpz_t *c,
+                        mpq_t factor) {
+    struct nets nets;
+    mpz_t p[2][GRID_PATCH_MAX][4];
+    int e = s->grid.degree - 1, parts = grid_patch_size(e);
+    nets_init(&nets, &s->grid, t, (const double(*)[2])s->phi, (const double(*)[2])r->phi);
+    for (int h = 0; h < nets.count; h++) {
+        for (int i = 0; i < parts; i++)
+            mpz_inits(p[h][i][0], p[h][i][1], p[h][i][2], p[h][i][3], NULL);
+        weighted_differences(e, nets.z[h], p[h]);
     }
+    for (int i = 0; i < least_size(2 * e); i++) mpz_set_ui(c[i], 0);
+    for (int h = 0; h < nets.count; h++) convolve(e, p[h], p[nets.count - 1 - h], c);
+    multiply_factorials(2 * e, c);
+    plane_factor(s, t, factor);
+    scale_factor(factor, 2 * nets.exponent - (nets.count - 1));
+    for (int h = 0; h < nets.count; h++)
+        for (int i = 0; i < parts; i++)
+            mpz_clears(p[h][i][0], p[h][i][1], p[h][i][2], p[h][i][3], NULL);
+    nets_free(&nets);
+}
+
+static void thickness_polar(const struct spline *s, const struct spline *r, uint32_t t, mpz_t *c,
+                            mpq_t factor) {
+    struct nets nets;
+    mpq_t end;
+    nets_init(&nets, &s->grid, t, (const double(*)[2])s->sigma, (const double(*)[2])r->sigma);
     mpq_init(end);
     mpq_set_d(factor, s->grid.depth[1]);
     mpq_set_d(end, s->grid.depth[0]);
     mpq_sub(factor, factor, end);
     mpq_inv(factor, factor);
     mpq_clear(end);
-    scale_factor(factor, common_exponent(2 * n, x, z));
-    for (int i = 0; i < n; i++) mpz_sub(c[i], z[2 * i + 1], z[2 * i]);
-    for (int i = 0; i < 2 * n; i++) mpz_clear(z[i]);
+    scale_factor(factor, nets.exponent - (nets.count - 1));
+    for (int i = 0; i < nets.points; i++) {
+        mpz_set_ui(c[i], 0);
+        for (int h = 0; h < nets.count; h++) {
+            mpz_add(c[i], c[i], nets.z[h][2 * i + 1]);
+            mpz_sub(c[i], c[i], nets.z[h][2 * i]);
+        }
+    }
+    nets_free(&nets);
+}
+
+void jacobian_polar_exact(const struct spline *s, const struct spline *r, enum jacobian_kind kind,
+                          uint32_t t, mpz_t *c, mpq_t factor) {
+    if (kind == JACOBIAN_PLANE)
+        plane_polar(s, r, t, c, factor);
+    else
+        thickness_polar(s, r, t, c, factor);
 }
 
 void jacobian_coefficients_exact(const struct spline *s, enum jacobian_kind kind, uint32_t t,
                                  mpz_t *c, mpq_t factor) {
-    if (kind == JACOBIAN_PLANE)
-        plane_coefficients(s, t, c, factor);
-    else
-        thickness_coefficients(s, t, c, factor);
+    jacobian_polar_exact(s, s, kind, t, c, factor);
 }

@@ -37,6 +37,9 @@ struct least_place {
 void least_place_init(struct least_place *p); /* corner 0 */
 void least_place_free(struct least_place *p);
 
+/* Barycentric coordinates of least_double: multiples of 2^-60. */
+void least_place_set(struct least_place *p, const double b[3]);
+
 struct least {
     double low, high;
     double place[3]; /* barycentric coordinates, exact in doubles */

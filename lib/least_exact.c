@@ -17,6 +17,8 @@
 
 #include "mem.h"
 
+#include <math.h>
+
 enum { GENERATIONS_MAX = 1024 };
 
 void least_place_init(struct least_place *p) {
@@ -25,6 +27,16 @@ void least_place_init(struct least_place *p) {
 
 void least_place_free(struct least_place *p) {
     for (int l = 0; l < 3; l++) mpz_clear(p->weight[l]);
+}
+
+void least_place_set(struct least_place *p, const double b[3]) {
+    mp_bitcnt_t common = 60;
+    for (int l = 0; l < 3; l++) {
+        mpz_set_d(p->weight[l], ldexp(b[l], 60));
+        if (mpz_sgn(p->weight[l]) != 0 && mpz_scan1(p->weight[l], 0) < common)
+            common = mpz_scan1(p->weight[l], 0);
+    }
+    for (int l = 0; l < 3; l++) mpz_fdiv_q_2exp(p->weight[l], p->weight[l], common);
 }
 
 void least_exact_init(struct least_exact *x) {

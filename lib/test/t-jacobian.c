@@ -428,6 +428,72 @@ static void test_random(void **state) {
     least_room_free(room);
 }
 
+/* Each coefficient in doubles is within its error of the exact one; 2^-45 is for the factor. */
+static void check_error(const struct spline *s, const struct spline *r, mpz_t *c, mpq_t factor,
+                        uint64_t seed) {
+    double coarse[LEAST_SIZE_MAX], error, scale;
+    mpq_t exact;
+    mpq_init(exact);
+    check_seed(seed, jacobian_polar(s, r, JACOBIAN_PLANE, 0, coarse, &error, &scale));
+    for (int i = 0; i < least_size(jacobian_degree(s, JACOBIAN_PLANE)); i++) {
+        mpq_set_z(exact, c[i]);
+        mpq_mul(exact, exact, factor);
+        check_seed(seed, fabs(mpq_get_d(exact) - scale * coarse[i]) <=
+                             scale * (error + 0x1p-45 * fabs(coarse[i])));
+    }
+    mpq_clear(exact);
+}
+
+static double polar_value(const struct spline *s, const struct spline *r, const double b[3],
+                          mpz_t *c, uint64_t seed) {
+    struct least_place place;
+    mpq_t factor, value;
+    double result;
+    mpq_inits(factor, value, NULL);
+    least_place_init(&place);
+    least_place_set(&place, b);
+    jacobian_polar_exact(s, r, JACOBIAN_PLANE, 0, c, factor);
+    check_error(s, r, c, factor, seed);
+    least_value(jacobian_degree(s, JACOBIAN_PLANE), (const mpz_t *)c, &place, value);
+    mpq_mul(value, value, factor);
+    result = mpq_get_d(value);
+    least_place_free(&place);
+    mpq_clears(factor, value, NULL);
+    return result;
+}
+
+/* The polar form of two nets makes up the determinants of all nets between them. */
+static void check_polar(mpz_t *c, uint64_t seed) {
+    static const double b[3] = {0.25, 0.125, 0.625};
+    uint64_t state = seed;
+    struct spline s, between, r;
+    double area2 = random_net(&s, &state), share = random_unit(&state), sum, value;
+    between = r = s;
+    between.phi = calloc(s.grid.point_count, sizeof *between.phi);
+    r.phi = calloc(s.grid.point_count, sizeof *r.phi);
+    for (uint32_t p = 0; p < s.grid.point_count; p++)
+        for (int k = 0; k < 2; k++) {
+            r.phi[p][k] = s.phi[p][k] * (1.5 - random_unit(&state));
+            between.phi[p][k] = s.phi[p][k] + share * (r.phi[p][k] - s.phi[p][k]);
+        }
+    sum = (1 - share) * (1 - share) * polar_value(&s, &s, b, c, seed) +
+          2 * share * (1 - share) * polar_value(&s, &r, b, c, seed) +
+          share * share * polar_value(&r, &r, b, c, seed);
+    value = (double)determinant(&between, b, area2);
+    check_seed(seed, fabs(sum - value) <= 1e-9 * (1 + fabs(value)));
+    free(between.phi);
+    free(r.phi);
+    spline_free(&s);
+}
+
+static void test_polar(void **state) {
+    mpz_t c[LEAST_SIZE_MAX];
+    (void)state;
+    for (int i = 0; i < LEAST_SIZE_MAX; i++) mpz_init(c[i]);
+    for (int n = test_count(100); n > 0; n--) check_polar(c, 1300 + (uint64_t)n);
+    for (int i = 0; i < LEAST_SIZE_MAX; i++) mpz_clear(c[i]);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_dips),
@@ -437,6 +503,7 @@ int main(void) {
         cmocka_unit_test(test_positive_net),
         cmocka_unit_test(test_depth),
         cmocka_unit_test(test_random),
+        cmocka_unit_test(test_polar),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
