@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "source_options.h"
 
+#include "model_options.h"
+
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -73,11 +75,6 @@ static bool parse_cells(const struct cli *cli, int64_t cells[2], struct err *err
     return cli_int(cli, 1, SURROUND_CELLS_MAX, &cells[0], err);
 }
 
-static bool parse_plane(const struct cli *cli, int axes[3], struct err *err) {
-    return grid_axes(cli->value, strlen(cli->value), axes) ||
-           cli_bad_value(cli, err, "two of the letters x, y, z");
-}
-
 static bool parse_pattern(const struct cli *cli, struct source *s, struct err *err) {
     int kind;
     if (!cli_choice(cli, pattern_names, &kind, err)) return false;
@@ -89,7 +86,7 @@ static bool parse_pattern(const struct cli *cli, struct source *s, struct err *e
 static bool parse_frame(struct source_options *o, const struct cli *cli, int key, struct err *err) {
     switch (key) {
     case OPTION_PLANE:
-        return parse_plane(cli, o->axes, err);
+        return model_option_axes(cli, o->axes, err);
     case OPTION_DEGREE:
         return cli_int(cli, 1, GRID_DEGREE_MAX, &o->degree, err);
     case OPTION_DEPTH:

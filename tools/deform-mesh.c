@@ -1,24 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* deform-mesh - applies the deformation of a grid to an OBJ model or a list of points. */
 #include "bary_io.h"
-#include "cli.h"
 #include "deform.h"
-#include "grid_io.h"
 #include "list_io.h"
 #include "mem.h"
+#include "model_options.h"
 #include "obj_copy.h"
 
 #include <string.h>
 
+enum { NORMALS = 256, DIGITS, BARY, JACOBIAN, PROGRESS };
+
 static const struct cli_option options[] = {
-    {256, "outside", "WHAT", "vertices outside the grid: error (default) or keep"},
-    {257, "normals", "WHAT", "transform (default), drop or keep"},
-    {258, "digits", "N", "significant digits, 1..17 (default: shortest exact)"},
-    {260, "bary", "FILE", "take the places of the vertices from FILE, see bary(1)"},
-    {261, "format", "WHAT", "MODEL is obj, xy or xyz (default: by its name, else obj)"},
-    {262, "jacobian", NULL, "append the derivatives of phi and their determinant to points"},
-    {259, "plane", "AXES", "insist that this is the grid's plane, e.g. zy"},
-    {263, "progress", NULL, "show progress on stderr also if that is no terminal"},
+    MODEL_OPTIONS,
+    {NORMALS, "normals", "WHAT", "transform (default), drop or keep"},
+    {DIGITS, "digits", "N", "significant digits, 1..17 (default: shortest exact)"},
+    {BARY, "bary", "FILE", "take the places of the vertices from FILE, see bary(1)"},
+    {JACOBIAN, "jacobian", NULL, "append the derivatives of phi and their determinant to points"},
+    {PROGRESS, "progress", NULL, "show progress on stderr also if that is no terminal"},
     {'o', "output", "FILE", "write to FILE instead of stdout"},
     {0, NULL, NULL, NULL},
 };
@@ -35,31 +34,19 @@ static const struct cli_program program = {
 };
 
 struct settings {
-    int outside, normals;
+    struct model_options model;
+    int normals; /* enum obj_normal_mode */
     int64_t digits;
-    int format; /* enum vertices_format, once the name is known */
-    bool has_plane, jacobian, progress;
-    int axes[3];
+    bool jacobian, progress;
     const char *bary, *output;
 };
 
-enum { OUTSIDE_ERROR, OUTSIDE_KEEP };
-static const char *const outside_names[] = {"error", "keep", NULL};
-static const char *const normals_names[] = {"transform", "drop", "keep",
-                                            NULL}; /* obj_normal_mode */
-
-static bool parse_plane(const struct cli *cli, struct settings *set, struct err *err) {
-    set->has_plane = grid_axes(cli->value, strlen(cli->value), set->axes);
-    return set->has_plane || cli_bad_value(cli, err, "two of the letters x, y, z");
-}
+static const char *const normals_names[] = {"transform", "drop", "keep", NULL};
 
 /* What no single option can know. */
 static bool check(const struct cli *cli, struct settings *set, struct err *err) {
-    bool standard = strcmp(cli_operand(cli, 0), "-") == 0 || strcmp(cli_operand(cli, 1), "-") == 0;
-    set->format = (int)vertices_format(set->format, cli_operand(cli, 0));
-    if (set->bary && strcmp(set->bary, "-") == 0 && standard)
-        return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", program.name);
-    if (set->jacobian && set->format == VERTICES_OBJ)
+    if (!model_options_end(&set->model, cli, set->bary, err)) return false;
+    if (set->jacobian && set->model.format == VERTICES_OBJ)
         return err_set(err, ERR_USAGE, "--jacobian is for lists of points; try %s --help",
                        program.name);
     return true;
@@ -69,39 +56,16 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
     int key;
     bool ok = true;
     while (ok && (key = cli_next(cli, err)) != CLI_END) {
-        switch (key) {
-        case 256:
-            ok = cli_choice(cli, outside_names, &set->outside, err);
-            break;
-        case 257:
-            ok = cli_choice(cli, normals_names, &set->normals, err);
-            break;
-        case 258:
-            ok = cli_int(cli, 1, 17, &set->digits, err);
-            break;
-        case 259:
-            ok = parse_plane(cli, set, err);
-            break;
-        case 260:
-            set->bary = cli->value;
-            break;
-        case 261:
-            ok = cli_choice(cli, vertices_format_names, &set->format, err);
-            break;
-        case 262:
-            set->jacobian = true;
-            break;
-        case 263:
-            set->progress = true;
-            break;
-        case 'o':
-            set->output = cli->value;
-            break;
-        default:
-            return false;
-        }
+        if (key == CLI_STOP) return false;
+        if (model_option_is(key)) ok = model_option(&set->model, cli, key, err);
+        if (key == NORMALS) ok = cli_choice(cli, normals_names, &set->normals, err);
+        if (key == DIGITS) ok = cli_int(cli, 1, 17, &set->digits, err);
+        if (key == BARY) set->bary = cli->value;
+        if (key == JACOBIAN) set->jacobian = true;
+        if (key == PROGRESS) set->progress = true;
+        if (key == 'o') set->output = cli->value;
     }
-    return ok && cli_check_operands(cli, 1, 2, err) && check(cli, set, err);
+    return ok && check(cli, set, err);
 }
 
 /* What a run holds; released by close_job. */
@@ -116,18 +80,6 @@ struct job {
     double (*gradient)[5]; /* for --jacobian, else NULL */
     struct obj_normals normals;
 };
-
-static bool read_inputs(struct job *job, struct err *err) {
-    const struct settings *set = job->set;
-    const int *axes;
-    if (!grid_read(&job->grid, cli_operand(job->cli, 1), err)) return false;
-    axes = job->grid.spline.grid.axes;
-    if (set->has_plane && (axes[0] != set->axes[0] || axes[1] != set->axes[1]))
-        return err_set(err, ERR_INPUT, "the plane of the grid is %c%c, not %c%c", "xyz"[axes[0]],
-                       "xyz"[axes[1]], "xyz"[set->axes[0]], "xyz"[set->axes[1]]);
-    return vertices_open(&job->vertices, cli_operand(job->cli, 0),
-                         (enum vertices_format)set->format, err);
-}
 
 /* Makes job->deform, with places that are known or without. */
 static bool place(struct job *job, struct err *err) {
@@ -160,9 +112,7 @@ static bool deform(struct job *job, struct err *err) {
         return vertices_refuse_result(&job->vertices,
                                       job->gradient ? "the image or derivative" : "the image",
                                       batch.first, err);
-    if (batch.outside > 0 && job->set->outside == OUTSIDE_ERROR)
-        return vertices_refuse(&job->vertices, batch.outside, batch.first, err);
-    return true;
+    return model_options_accept(&job->set->model, &job->vertices, batch.outside, batch.first, err);
 }
 
 /* Turns a normal of the model at a vertex. Outside nothing moves. */
@@ -225,8 +175,8 @@ static void close_job(struct job *job) {
 
 static bool run(const struct cli *cli, const struct settings *set, struct err *err) {
     struct job job = {.cli = cli, .set = set};
-    bool ok = read_inputs(&job, err) && place(&job, err) && deform(&job, err) &&
-              plan_normals(&job, err) && print(&job, err);
+    bool ok = model_options_open(&set->model, cli, &job.grid, &job.vertices, err) &&
+              place(&job, err) && deform(&job, err) && plan_normals(&job, err) && print(&job, err);
     close_job(&job);
     return ok;
 }
@@ -234,7 +184,8 @@ static bool run(const struct cli *cli, const struct settings *set, struct err *e
 int main(int argc, char **argv) {
     struct err err = {0};
     struct cli cli;
-    struct settings set = {.format = VERTICES_BY_NAME};
+    struct settings set = {0};
+    model_options_init(&set.model);
     cli_init(&cli, &program, argc, argv);
     if (parse(&cli, &set, &err)) (void)run(&cli, &set, &err);
     return cli_finish(&cli, &err);
