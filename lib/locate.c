@@ -68,8 +68,7 @@ static uint32_t walk(const struct locator *l, uint32_t t, const double p[2], uin
 }
 
 static uint32_t search_cell(const struct locator *l, const double p[2], struct view *view) {
-    size_t number = (size_t)locator_column(l, 1, p[1]) * l->size[0] + locator_column(l, 0, p[0]);
-    const struct locator_cell *cell = &l->cell[number];
+    const struct locator_cell *cell = &l->cell[cells_of(&l->raster, p)];
     uint32_t n = cell[1].start - cell[0].start, t = cell->first;
     if (t == GRID_NONE || look(l, t, p, view) == NO_EDGE) return t;
     if (n >= LONG_LIST) {
@@ -120,8 +119,7 @@ bool locate(const struct locator *l, const double p[2], uint32_t *hint, uint32_t
     const struct grid *g = l->grid;
     struct view view;
     uint32_t found = *hint;
-    if (!(p[0] >= l->lo[0] && p[0] <= l->hi[0] && p[1] >= l->lo[1] && p[1] <= l->hi[1]))
-        return false;
+    if (!cells_holds(&l->raster, p)) return false;
     if (!is_near(l, found, p) || look(l, found, p, &view) != NO_EDGE)
         found = search_cell(l, p, &view);
     if (found == GRID_NONE) return false;

@@ -8,12 +8,11 @@
 #ifndef LOCATE_H
 #define LOCATE_H
 
+#include "cells.h"
 #include "grid.h"
 
-/* Buckets are square cells over the bounding box. Each knows the triangles that meet it: one to be
- * tried first, which holds the cell's centre if any does, and the others. The cell of a point is a
- * monotone function of its coordinates, also as rounded, so a triangle that holds a point is always
- * in the point's cell. */
+/* Buckets are cells (cells.h). Each knows the triangles that meet it: one to be tried first, which
+ * holds the cell's centre if any does, and the others. */
 struct locator_cell {
     uint32_t first; /* GRID_NONE: no triangle meets the cell */
     uint32_t start; /* item[start .. start of the next cell) are the others */
@@ -34,10 +33,8 @@ struct locator_triangle {
 struct locator {
     const struct grid *grid; /* borrowed */
     /* private */
-    double lo[2], hi[2]; /* the bounding box, rounded monotonely */
-    double scale[2];     /* cells a unit */
+    struct cells_raster raster; /* over the bounding box, rounded monotonely */
     double unit;
-    uint32_t size[2];
     struct locator_cell *cell;
     uint32_t *item;
     struct locator_triangle *triangle;
@@ -51,13 +48,7 @@ void locator_free(struct locator *l);
  * and becomes the one found. */
 bool locate(const struct locator *l, const double p[2], uint32_t *hint, uint32_t *t, double b[3]);
 
-/* Private: the column (axis 0) or row (1) of a coordinate; a corner of a triangle, modulo 3. */
-static inline uint32_t locator_column(const struct locator *l, int axis, double x) {
-    double c = (x - l->lo[axis]) * l->scale[axis];
-    if (!(c > 0)) return 0;
-    return c >= l->size[axis] ? l->size[axis] - 1 : (uint32_t)c;
-}
-
+/* Private: a corner of a triangle, modulo 3. */
 static inline const int32_t *locator_corner(const struct locator *l, uint32_t t, int corner) {
     return l->grid->vertex[l->grid->triangle[t][corner % 3]];
 }

@@ -172,7 +172,7 @@ static void needles(void **unused) {
     }
     assert_true(grid_build(&g, &err));
     assert_true(locator_init(&l, &g, &err));
-    assert_true(l.cell[l.size[0] * l.size[1]].start <= 16 * N);
+    assert_true(l.cell[l.raster.size[0] * l.raster.size[1]].start <= 16 * N);
     for (int i = 0; i < test_count(300); i++) {
         choose_point(&g, &s, p);
         check_point(&l, p, &hint, s);
