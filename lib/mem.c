@@ -35,7 +35,7 @@ static void *resize(void *old, size_t old_bytes, size_t bytes) {
 }
 
 bool mem_grow_bytes(void *array, size_t *cap, size_t need, size_t size, struct err *err) {
-    size_t n = *cap + *cap / 2, bytes;
+    size_t n = 2 * *cap, bytes; /* pages that are never used cost nothing */
     void *old, *fresh;
     if (n < need) n = need;
     if (n < 16) n = 16;

@@ -14,7 +14,7 @@ void *mem_alloc(size_t n, size_t size, struct err *err) WARN_UNUSED;
 #define mem_new(p, n, err) (((p) = mem_alloc((n), sizeof *(p), (err))) != NULL)
 
 /* Makes room for `need` elements in the array p of capacity *cap (both may start as NULL and 0),
- * growing by half at least, so that appending costs O(1) on average. New room is not zeroed. */
+ * doubling it at least, so that appending costs O(1) on average. New room is not zeroed. */
 #define mem_grow(p, cap, need, err)                                                                \
     ((need) <= *(cap) || mem_grow_bytes((void *)&(p), (cap), (need), sizeof *(p), (err)))
 bool mem_grow_bytes(void *array, size_t *cap, size_t need, size_t size,

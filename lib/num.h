@@ -4,7 +4,7 @@
  * Grammar: optional sign, digits with an optional point, optional exponent; no nan, inf, hex.
  * Reading is correctly rounded; too large is an error, too small the nearest subnormal or signed
  * zero; -0 is kept. Printing gives the shortest text that reads back to the same double, or a fixed
- * number of significant digits. Cost: about 20 ns to read, 60 ns to print. */
+ * number of significant digits. Cost: about 20 ns to read (few digits: 8 ns), 60 ns to print. */
 #ifndef NUM_H
 #define NUM_H
 

@@ -189,6 +189,36 @@ static void test_grammar(void **unused) {
     }
 }
 
+/* Texts of a few characters against strtod, which takes leading blanks besides, and without a byte
+ * that may be read behind them. */
+static void test_short_texts(void **unused) {
+    static const char letters[] = "0000112579..--+eE \t,";
+    uint64_t state = 5;
+    (void)unused;
+    for (int n = test_count(500000); n > 0; n--) {
+        size_t length = (size_t)random_in(&state, 1, 12);
+        char text[16] = "", *exact = malloc(length), *end;
+        const char *next;
+        double x = 42, want;
+        enum num_status status;
+        assert_non_null(exact);
+        for (size_t i = 0; i < length; i++)
+            text[i] = letters[random_in(&state, 0, (int64_t)sizeof letters - 2)];
+        memcpy(exact, text, length);
+        want = strtod(text, &end);
+        if (*text == ' ' || *text == '\t') end = text;
+        status = num_read(exact, exact + length, &x, &next);
+        if (status == NUM_NONE)
+            assert_ptr_equal(end, text);
+        else if (status == NUM_OVERFLOW)
+            assert_true(isinf(want));
+        else if (next - exact != end - text || !same_bits(x, want))
+            fail_msg("'%s': %td characters, %a, expected %td, %a", text, next - exact, x,
+                     end - text, want);
+        free(exact);
+    }
+}
+
 static void test_end_is_obeyed(void **unused) {
     const char *text = "123456789", *next;
     double x;
@@ -232,10 +262,15 @@ static void test_integers(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shortest_round_trip), cmocka_unit_test(test_fixed_digits),
-        cmocka_unit_test(test_reads_as_strtod),     cmocka_unit_test(test_ends_of_the_range),
-        cmocka_unit_test(test_long_numbers),        cmocka_unit_test(test_grammar),
-        cmocka_unit_test(test_end_is_obeyed),       cmocka_unit_test(test_integers),
+        cmocka_unit_test(test_shortest_round_trip),
+        cmocka_unit_test(test_fixed_digits),
+        cmocka_unit_test(test_reads_as_strtod),
+        cmocka_unit_test(test_ends_of_the_range),
+        cmocka_unit_test(test_long_numbers),
+        cmocka_unit_test(test_grammar),
+        cmocka_unit_test(test_short_texts),
+        cmocka_unit_test(test_end_is_obeyed),
+        cmocka_unit_test(test_integers),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,8 +22,7 @@ bool flush(const char *end) {
     return true;
 }
 
-// Copies the statement [p, end): digits and what belongs to their number anew, anything else, signs
-// too, as it is.
+// Copies the statement [p, end): numbers anew, anything else, signs too, as it is.
 template <class Number> char *copy_numbers(char *at, const char *p, const char *end) {
     while (p < end)
         if (static_cast<unsigned char>(*p - '0') < 10) {
