@@ -131,21 +131,34 @@ void grid_weights(const struct grid *g, uint32_t p, uint32_t t, int weight[3]) {
     }
 }
 
+/* The sum of weight * vertex / degree over n vertices. */
+static void weigh(const struct grid *g, const uint32_t *vertex, const int *weight, int n,
+                  double xy[2]) {
+    int64_t sum[2] = {0, 0};
+    for (int l = 0; l < n; l++)
+        for (int c = 0; c < 2; c++) sum[c] += (int64_t)weight[l] * g->vertex[vertex[l]][c];
+    xy[0] = lattice_coordinate(g->lattice.x0, g->lattice.step, sum[0], g->degree);
+    xy[1] = lattice_coordinate(g->lattice.y0, g->lattice.step, sum[1], g->degree);
+}
+
 void grid_nominal(const struct grid *g, uint32_t p, double xy[2]) {
-    struct grid_place place;
-    int64_t n[2] = {0, 0};
     if (p < g->vertex_count) {
         grid_vertex(g, p, xy);
-        return;
+    } else {
+        struct grid_place place = grid_place(g, p);
+        weigh(g, g->triangle[place.triangle], place.weight, 3, xy);
     }
-    place = grid_place(g, p);
-    for (int l = 0; l < 3; l++) {
-        const int32_t *u = g->vertex[g->triangle[place.triangle][l]];
-        n[0] += (int64_t)place.weight[l] * u[0];
-        n[1] += (int64_t)place.weight[l] * u[1];
-    }
-    xy[0] = lattice_coordinate(g->lattice.x0, g->lattice.step, n[0], g->degree);
-    xy[1] = lattice_coordinate(g->lattice.y0, g->lattice.step, n[1], g->degree);
+}
+
+void grid_nominals(const struct grid *g, double (*xy)[2]) {
+    int d = g->degree;
+    for (uint32_t v = 0; v < g->vertex_count; v++) grid_vertex(g, v, *xy++);
+    for (uint32_t e = 0; e < g->edge_count; e++)
+        for (int r = 1; r < d; r++) weigh(g, g->edge[e], (int[]){d - r, r}, 2, *xy++);
+    for (uint32_t t = 0; t < g->triangle_count; t++)
+        for (int i = d - 2; i >= 1; i--)
+            for (int j = d - 1 - i; j >= 1; j--)
+                weigh(g, g->triangle[t], (int[]){i, j, d - i - j}, 3, *xy++);
 }
 
 void grid_vertex(const struct grid *g, uint32_t v, double xy[2]) {

@@ -97,6 +97,9 @@ void grid_weights(const struct grid *g, uint32_t p, uint32_t t, int weight[3]);
  * ns. Exact zeros are +0. */
 void grid_nominal(const struct grid *g, uint32_t p, double xy[2]);
 
+/* Those of all points, xy[point_count]; quicker than one by one. */
+void grid_nominals(const struct grid *g, double (*xy)[2]);
+
 /* World position of vertex v, rounded correctly. */
 void grid_vertex(const struct grid *g, uint32_t v, double xy[2]);
 

@@ -64,7 +64,7 @@ static bool need_nominal(struct select_space *space, struct err *err) {
     const struct grid *g = space->grid;
     if (space->nominal) return true;
     if (!mem_new(space->nominal, g->point_count, err)) return false;
-    for (uint32_t p = 0; p < g->point_count; p++) grid_nominal(g, p, space->nominal[p]);
+    grid_nominals(g, space->nominal);
     return true;
 }
 

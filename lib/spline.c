@@ -15,7 +15,7 @@ bool spline_allocate(struct spline *s, struct grid *g, struct err *err) {
 bool spline_identity(struct spline *s, struct grid *g, struct err *err) {
     uint32_t n = g->point_count;
     if (!spline_allocate(s, g, err)) return false;
-    for (uint32_t p = 0; p < n; p++) grid_nominal(&s->grid, p, s->phi[p]);
+    grid_nominals(&s->grid, s->phi);
     for (uint32_t p = 0; p < n && s->sigma; p++) {
         s->sigma[p][0] = s->grid.depth[0];
         s->sigma[p][1] = s->grid.depth[1];

@@ -71,6 +71,24 @@ static void check_bijection(const struct grid *g, uint64_t seed) {
     free(all);
 }
 
+/* With integer coordinates a nominal position is one rounded quotient. */
+static void check_nominals(const struct grid *g, uint64_t seed) {
+    size_t n;
+    struct position *all = all_positions(g, &n);
+    double(*nominal)[2] = calloc(g->point_count, sizeof *nominal);
+    assert_non_null(nominal);
+    grid_nominals(g, nominal);
+    for (size_t i = 0; i < n; i++) {
+        double one[2], *xy = nominal[all[i].point];
+        grid_nominal(g, all[i].point, one);
+        check_seed(seed, xy[0] == (double)all[i].x / g->degree);
+        check_seed(seed, xy[1] == (double)all[i].y / g->degree);
+        check_seed(seed, one[0] == xy[0] && one[1] == xy[1]);
+    }
+    free(nominal);
+    free(all);
+}
+
 static int compare_pairs(const void *a, const void *b) {
     const uint32_t *p = a, *q = b;
     if (p[0] != q[0]) return p[0] < q[0] ? -1 : 1;
@@ -191,6 +209,7 @@ static void test_random_grids(void **state) {
         struct grid g;
         random_grid(&g, 4, 1 + (int)(seed % GRID_DEGREE_MAX), seed);
         check_bijection(&g, seed);
+        check_nominals(&g, seed);
         check_order(&g, seed);
         check_places(&g, seed);
         check_edges(&g, seed);
