@@ -18,10 +18,10 @@ FUZZ_SECONDS ?= 30
 export BUILD FUZZ_SECONDS
 
 WARN     := -Wall -Wextra -Wshadow -Wconversion -Wvla $(WERROR)
-CPPFLAGS += -Ilib -D_GNU_SOURCE -DSUPPLE_VERSION='"$(VERSION)"'
+CPPFLAGS += -Ilib -D_GNU_SOURCE -DSUPPLE_VERSION='"$(VERSION)"' $(shell pkg-config --cflags-only-I cairo)
 CFLAGS   += -std=c11 $(OPT) -ffp-contract=off $(WARN) -Wmissing-prototypes $(SAN)
 CXXFLAGS += -std=c++17 $(OPT) -ffp-contract=off $(WARN) $(SAN)
-LIBS     := -lspqr -lcholmod $(shell pkg-config --libs mpfr gmp zlib) -lm
+LIBS     := -Wl,--as-needed -lspqr -lcholmod $(shell pkg-config --libs mpfr gmp zlib cairo) -lm
 TESTLIBS := $(shell pkg-config --libs cmocka 2>/dev/null || echo -lcmocka)
 
 objects  = $(patsubst %,$(BUILD)/%.o,$(basename $(1)))

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* figure - a deformation as a picture: the domain, its image, or both side by side.
+ *
+ * The panels have one scale, so that lengths can be compared. Both show the same layers, from
+ * below: an image, the growth of areas, a model's silhouette, the quadrilateral conditions,
+ * triangles (the exact curves, to 1/20 of a unit of the page), outline, Bezier net, control points,
+ * the sets of one edit with its arrows, labels, polylines. A legend explains what needs it. */
+#ifndef FIGURE_H
+#define FIGURE_H
+
+#include "drawing.h"
+#include "edit_trace.h"
+#include "model.h"
+#include "polylines.h"
+
+enum figure_side { FIGURE_DOMAIN, FIGURE_DEFORMED, FIGURE_BOTH };
+
+enum figure_layer {
+    FIGURE_TRIANGLES,
+    FIGURE_NET,
+    FIGURE_POINTS, /* dots */
+    FIGURE_TYPES,  /* dots that tell the types, [14] table 1 */
+    FIGURE_QUADS,  /* of the quadrilateral conditions; with an edit: of E only */
+    FIGURE_LABELS, /* numbers of the control points if these are shown, else of vertices, triangles
+                    */
+    FIGURE_SETS,   /* A, S, D, F of an edit; arrows from p to p' and p'' */
+    FIGURE_JACOBIAN, /* det grad phi as colours */
+    FIGURE_OUTLINE,
+    FIGURE_LAYERS
+};
+
+/* "triangles", "net", ...; NULL ends the table. */
+extern const char *const figure_layer_names[];
+extern const char *const figure_side_names[];
+
+struct figure_image { /* borrowed; rows downwards, 0xRRGGBBAA */
+    uint32_t width, height;
+    const uint32_t *pixel;
+    double frame[4]; /* world position of the first pixel's outer corner, and of the last one's */
+};
+
+struct figure_content {          /* all borrowed; NULL: not there */
+    const struct spline *spline; /* NULL: only the domain side, and no layers */
+    const struct edit_trace *edit;
+    const struct model *model[2];  /* before and after the deformation, in the grid's frame */
+    const struct polylines *lines; /* with the domain */
+    const struct figure_image *image;
+};
+
+struct figure_options {
+    enum figure_side side;
+    unsigned layers; /* 1 << layer each */
+    double width;    /* of the page */
+    bool y_down;     /* the world's y grows downwards */
+    bool legend;
+};
+
+/* Fills the drawing, which is the caller's to free in any case. Only memory can be short. */
+bool figure_draw(struct drawing *d, const struct figure_content *content,
+                 const struct figure_options *options, struct err *err) WARN_UNUSED;
+
+#endif

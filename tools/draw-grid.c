@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* draw-grid - draws a deformation and what is known of it. */
+#include "cli.h"
+#include "drawing_io.h"
+#include "edits_io.h"
+#include "figure.h"
+#include "figure_model.h"
+#include "grid_io.h"
+#include "mem.h"
+#include "num.h"
+#include "obj_io.h"
+#include "polylines_io.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    KEY_SIDE = 256,
+    KEY_LAYERS,
+    KEY_EDIT,
+    KEY_MODEL,
+    KEY_LINES,
+    KEY_WIDTH,
+    KEY_TO,
+    KEY_NO_GRID,
+    KEY_NO_LEGEND,
+    KEY_Y_DOWN
+};
+
+static const struct cli_option options[] = {
+    {KEY_SIDE, "side", "WHICH", "domain, deformed (default) or both"},
+    {KEY_LAYERS, "layers", "LIST",
+     "of triangles,net,points,types,quads,labels,sets,jacobian,outline"},
+    {KEY_EDIT, "edit", "EDITS:LINE", "carry out EDITS up to this line and show what that does"},
+    {KEY_MODEL, "model", "FILE", "with the silhouette of this OBJ model"},
+    {KEY_LINES, "lines", "FILE", "with these polylines: x y LABEL, a blank line ends one"},
+    {KEY_NO_GRID, "no-grid", NULL, "draw the lines alone"},
+    {KEY_WIDTH, "width", "W", "of the picture, in pixels or 1/96 inch (800)"},
+    {KEY_Y_DOWN, "y-down", NULL, "the world's y grows downwards"},
+    {KEY_NO_LEGEND, "no-legend", NULL, "without the legend"},
+    {KEY_TO, "to", "FORMAT", "png, svg or pdf (default: by the name of -o, else png)"},
+    {'o', "output", "FILE", "write there (stdout)"},
+    {0, NULL, NULL, NULL},
+};
+
+static const struct cli_program program = {
+    .name = "draw-grid",
+    .synopsis = "[OPTION]... [GRID]",
+    .options = options,
+    .epilogue =
+        "examples:\n"
+        "  mkgrid --rect 0,0,8,4 --cells 8x4 | decles-edit -e 'move ^4,2 by 1 0.5 reach 6' | "
+        "draw-grid -o bent.png\n"
+        "  mkgrid --rect 0,0,8,4 --cells 8x4 | draw-grid --layers outline,net,types -o net.svg\n",
+};
+
+struct settings {
+    struct figure_options figure;
+    int to, digits;
+    const char *edit, *model, *lines, *output, *grid;
+    char *edits; /* the file of --edit */
+    size_t line;
+    bool no_grid;
+    enum drawing_format format;
+};
+
+/* A list of names with commas. */
+static bool parse_layers(const struct cli *cli, unsigned *layers, struct err *err) {
+    *layers = 0;
+    for (const char *at = cli->value;; at++) {
+        size_t n = strcspn(at, ",");
+        int layer = 0;
+        while (figure_layer_names[layer] && (strlen(figure_layer_names[layer]) != n ||
+                                             memcmp(figure_layer_names[layer], at, n) != 0))
+            layer++;
+        if (!figure_layer_names[layer])
+            return cli_bad_value(cli, err,
+                                 "a list of triangles, net, points, types, quads, "
+                                 "labels, sets, jacobian, outline");
+        *layers |= 1u << layer;
+        at += n;
+        if (!*at) return true;
+    }
+}
+
+/* EDITS:LINE */
+static bool parse_edit(const struct cli *cli, struct settings *set, struct err *err) {
+    const char *colon = strrchr(cli->value, ':'), *end;
+    int64_t line = 0;
+    if (!colon || num_read_int(colon + 1, colon + strlen(colon), &line, &end) != NUM_OK || *end ||
+        line < 1)
+        return cli_bad_value(cli, err, "EDITS:LINE");
+    set->edit = cli->value;
+    set->line = (size_t)line;
+    free(set->edits);
+    set->edits = strndup(cli->value, (size_t)(colon - cli->value));
+    return set->edits || err_memory(err);
+}
+
+static bool set_option(struct settings *set, const struct cli *cli, int key, struct err *err) {
+    int side = 0;
+    switch (key) {
+    case KEY_SIDE:
+        if (!cli_choice(cli, figure_side_names, &side, err)) return false;
+        set->figure.side = (enum figure_side)side;
+        return true;
+    case KEY_LAYERS:
+        return parse_layers(cli, &set->figure.layers, err);
+    case KEY_EDIT:
+        return parse_edit(cli, set, err);
+    case KEY_MODEL:
+        set->model = cli->value;
+        return true;
+    case KEY_LINES:
+        set->lines = cli->value;
+        return true;
+    case KEY_NO_GRID:
+        set->no_grid = true;
+        return true;
+    case KEY_NO_LEGEND:
+        set->figure.legend = false;
+        return true;
+    case KEY_Y_DOWN:
+        set->figure.y_down = true;
+        return true;
+    case KEY_WIDTH:
+        return cli_double(cli, 64, 32767, &set->figure.width, err);
+    case KEY_TO:
+        return cli_choice(cli, drawing_format_names, &set->to, err);
+    default: /* 'o' */
+        set->output = cli->value;
+        return true;
+    }
+}
+
+/* Without a choice of layers: what suits the figure. */
+static unsigned usual_layers(const struct settings *set) {
+    unsigned layers = 1u << FIGURE_TRIANGLES | 1u << FIGURE_OUTLINE;
+    return set->edit ? layers | 1u << FIGURE_SETS | 1u << FIGURE_QUADS : layers;
+}
+
+static bool check(const struct cli *cli, struct settings *set, struct err *err) {
+    if (set->figure.layers == 0) set->figure.layers = usual_layers(set);
+    if ((set->figure.layers >> FIGURE_SETS & 1) && !set->edit)
+        return err_set(err, ERR_USAGE,
+                       "the layer sets needs --edit EDITS:LINE; try draw-grid --help");
+    if (set->no_grid && !set->lines)
+        return err_set(err, ERR_USAGE, "--no-grid needs --lines FILE; try draw-grid --help");
+    if (set->no_grid && (set->edit || set->model || cli->operand_count > 0))
+        return err_set(err, ERR_USAGE,
+                       "--no-grid goes without --edit, --model and GRID; try draw-grid --help");
+    set->grid = cli_operand(cli, 0);
+    return drawing_format(set->to, set->output, &set->format, err);
+}
+
+static bool parse(struct cli *cli, struct settings *set, struct err *err) {
+    int key;
+    while ((key = cli_next(cli, err)) >= 0)
+        if (!set_option(set, cli, key, err)) return false;
+    return key == CLI_END && cli_check_operands(cli, 0, 1, err) && check(cli, set, err);
+}
+
+/* What a run holds. */
+struct job {
+    struct grid_file grid;
+    struct model model, deformed;
+    struct edit_trace trace;
+    struct polylines lines;
+    struct drawing drawing;
+};
+
+static bool carry_out(struct job *job, const struct settings *set, struct err *err) {
+    const struct decles_options decles = {.continuity = 1, .max_gain = 100};
+    struct script script;
+    bool ok;
+    if (!edits_read(&script, set->edits, err)) return false;
+    ok = edit_trace(&job->trace, &script, set->line, &job->grid.spline, &decles, err);
+    script_free(&script);
+    return ok;
+}
+
+static bool gather(struct job *job, const struct settings *set, struct figure_content *content,
+                   struct err *err) {
+    if (set->lines && !polylines_read(&job->lines, set->lines, err)) return false;
+    if (set->lines) content->lines = &job->lines;
+    if (set->no_grid) return true;
+    if (!grid_read(&job->grid, set->grid, err)) return false;
+    content->spline = &job->grid.spline;
+    if (set->edit && !carry_out(job, set, err)) return false;
+    if (set->edit) content->edit = &job->trace;
+    if (!set->model) return true;
+    if (!model_read(&job->model, set->model, err) ||
+        !figure_model(&job->model, &job->deformed, &job->grid.spline, err))
+        return false;
+    content->model[0] = &job->model;
+    content->model[1] = &job->deformed;
+    return true;
+}
+
+static bool draw(struct job *job, const struct settings *set, struct err *err) {
+    struct figure_content content = {0};
+    struct out out;
+    if (!gather(job, set, &content, err) ||
+        !figure_draw(&job->drawing, &content, &set->figure, err) ||
+        !out_open(&out, set->output, err))
+        return false;
+    if (drawing_write(&out, &job->drawing, set->format, err)) return out_close(&out, err);
+    out_discard(&out);
+    return false;
+}
+
+static void run(const struct settings *set, struct err *err) {
+    struct job job = {0};
+    (void)draw(&job, set, err);
+    drawing_free(&job.drawing);
+    polylines_free(&job.lines);
+    edit_trace_free(&job.trace);
+    free(job.deformed.vertex);
+    model_free(&job.model);
+    grid_file_free(&job.grid);
+}
+
+int main(int argc, char **argv) {
+    struct err err = {0};
+    struct cli cli;
+    struct settings set = {.to = DRAWING_BY_NAME,
+                           .figure = {.side = FIGURE_DEFORMED, .width = 800, .legend = true}};
+    cli_init(&cli, &program, argc, argv);
+    if (parse(&cli, &set, &err)) run(&set, &err);
+    free(set.edits);
+    return cli_finish(&cli, &err);
+}
