@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The neighbours of a vertex v, counter-clockwise, are the polygon 0 .. n-1 that remains when v is
+ * gone; for a vertex on the boundary, the edge from n-1 to 0 is the new boundary.
+ *
+ *          3_______2                   Triangulations of the chain i..j, closed by the edge ji, are
+ *          / \   / \                   a triangle i k j and triangulations of the chains i..k,
+ * k..j. 4/___\v/___\1                 Of those with sound triangles only, the best one has the
+ *         \   / \   /                  roundest worst triangle (dynamic programming; Klincsek
+ * 1980). \ /   \ /                   A polygon that is simple and filled with counter-clockwise
+ *          5-------0                   triangles is covered once, so nothing else need be tested.
+ */
+#include "joint.h"
+
+#include "halfedge.h"
+
+#include <math.h>
+#include <string.h>
+
+#define NEAR                                                                                       \
+    0x1p-10 /* of the furthest neighbour's distance: so close that another may stand in            \
+             */
+
+enum { POLYGON_MAX = JOINT_STAR_MAX + 1 };
+
+struct hole {
+    struct joint *j;
+    int n;
+    uint32_t vertex[POLYGON_MAX];
+    uint32_t outer[POLYGON_MAX];   /* half edge beyond the edge from i to i+1, or NONE */
+    uint32_t free[JOINT_STAR_MAX]; /* triangles that may be used */
+    int free_count;
+    double worst[POLYGON_MAX][POLYGON_MAX]; /* roundness of the worst triangle of i..j */
+    uint8_t apex[POLYGON_MAX][POLYGON_MAX];
+};
+
+static double length2(const double a[2], const double b[2]) {
+    return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
+}
+
+/* The lesser roundness of both planes; -1: the triangle is not sound, or not rounder than that. */
+static double judge(struct hole *h, int i, int k, int j, double floor) {
+    uint32_t a = h->vertex[i], b = h->vertex[k], c = h->vertex[j];
+    double least = INFINITY;
+    for (int m = 0; m < 2; m++)
+        least = fmin(least, joint_roundness(joint_place(h->j, m, a), joint_place(h->j, m, b),
+                                            joint_place(h->j, m, c)));
+    if (least <= floor) return -1;
+    for (int m = 0; m < 2; m++)
+        if (joint_orient(h->j, m, a, b, c) <= 0) return -1;
+    return least;
+}
+
+static void choose_apex(struct hole *h, int i, int j) {
+    double best = -1;
+    for (int k = i + 1; k < j; k++) {
+        double chains = fmin(h->worst[i][k], h->worst[k][j]), worst;
+        if (chains <= best) continue;
+        worst = fmin(chains, judge(h, i, k, j, best));
+        if (worst <= best) continue;
+        best = worst;
+        h->apex[i][j] = (uint8_t)k;
+    }
+    h->worst[i][j] = best;
+}
+
+static bool can_be_filled(struct hole *h) {
+    for (int i = 0; i + 1 < h->n; i++) h->worst[i][i + 1] = INFINITY;
+    for (int span = 2; span < h->n; span++)
+        for (int i = 0; i + span < h->n; i++) choose_apex(h, i, i + span);
+    return h->worst[0][h->n - 1] >= 0;
+}
+
+/* How far neighbour i is from v, compared to the neighbour that is furthest; in the worse plane. */
+static double distance(const struct hole *h, uint32_t v, int i) {
+    double most = 0;
+    for (int m = 0; m < 2; m++) {
+        double own = 0, furthest = 0;
+        for (int k = 0; k < h->n; k++) {
+            double d = length2(joint_place(h->j, m, v), joint_place(h->j, m, h->vertex[k]));
+            furthest = fmax(furthest, d);
+            if (k == i) own = d;
+        }
+        most = fmax(most, own > 0 ? own / furthest : 0);
+    }
+    return sqrt(most);
+}
+
+/* Can all triangles be given to neighbour w? */
+static bool can_be_fanned(struct hole *h, int w) {
+    for (int i = 0; i + 1 < w; i++) {
+        if (judge(h, i, i + 1, w, -1) < 0) return false;
+        h->apex[i][w] = (uint8_t)(i + 1);
+    }
+    for (int i = w + 2; i < h->n; i++) {
+        if (judge(h, w, i - 1, i, -1) < 0) return false;
+        h->apex[w][i] = (uint8_t)(i - 1);
+    }
+    if (w == 0 || w == h->n - 1) return true;
+    h->apex[0][h->n - 1] = (uint8_t)w;
+    return judge(h, 0, w, h->n - 1, -1) >= 0;
+}
+
+static bool can_be_collapsed(struct hole *h, uint32_t v) {
+    double least = NEAR;
+    int nearest = -1;
+    for (int i = 0; i < h->n; i++) {
+        double d = distance(h, v, i);
+        if (d >= least) continue;
+        least = d;
+        nearest = i;
+    }
+    return nearest >= 0 && can_be_fanned(h, nearest);
+}
+
+static void join(struct hole *h, uint32_t a, uint32_t b) {
+    if (a != HALFEDGE_NONE) h->j->twin[a] = b;
+    if (b != HALFEDGE_NONE) h->j->twin[b] = a;
+}
+
+/* Fills the chain i..j; returns the half edge that runs from j to i. For a chain of one edge that
+ * is the half edge beyond it. */
+static uint32_t fill(struct hole *h, int i, int j) {
+    int k = h->apex[i][j];
+    uint32_t t, *corner;
+    if (j == i + 1) return h->outer[i];
+    t = h->free[--h->free_count];
+    corner = h->j->map.triangle[t];
+    corner[0] = h->vertex[i];
+    corner[1] = h->vertex[k];
+    corner[2] = h->vertex[j];
+    for (uint32_t c = 0; c < 3; c++) h->j->corner[corner[c]] = 3 * t + c;
+    join(h, 3 * t + 2, fill(h, i, k));
+    join(h, 3 * t, fill(h, k, j));
+    return 3 * t + 1;
+}
+
+static void open(struct hole *h, const struct joint_star *star) {
+    const uint32_t(*triangle)[3] = (const uint32_t(*)[3])h->j->map.triangle;
+    for (size_t i = 0; i < star->count; i++) {
+        uint32_t at = star->corner[i];
+        h->vertex[i] = halfedge_from(triangle, at);
+        h->outer[i] = h->j->twin[at];
+        h->free[i] = at / 3;
+    }
+    h->n = h->free_count = (int)star->count;
+    if (!star->boundary) return;
+    h->vertex[h->n] = halfedge_to(triangle, star->corner[star->count - 1]);
+    h->outer[h->n++] = HALFEDGE_NONE;
+}
+
+bool joint_remove(struct joint *j, uint32_t v, struct joint_star *star, bool *done,
+                  struct err *err) {
+    struct hole h = {.j = j};
+    *done = false;
+    if (!joint_star(j, v, star, err)) return false;
+    if (star->count > JOINT_STAR_MAX) return true;
+    open(&h, star);
+    if (h.n < 3 || !(can_be_collapsed(&h, v) || can_be_filled(&h))) return true;
+    join(&h, fill(&h, 0, h.n - 1), h.outer[h.n - 1]);
+    while (h.free_count > 0)
+        memset(j->map.triangle[h.free[--h.free_count]], 0xff, sizeof *j->map.triangle);
+    j->corner[v] = JOINT_NONE;
+    *done = true;
+    return true;
+}
