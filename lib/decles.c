@@ -16,6 +16,7 @@
  */
 #include "decles.h"
 
+#include "decles_motion.h"
 #include "decles_rank.h"
 #include "decles_sets.h"
 #include "decles_solve.h"
@@ -123,6 +124,24 @@ static bool check_suggested(const struct decles_editor *e, int k, struct err *er
     return true;
 }
 
+/* Keeps the suggestions to a share of their ways. */
+static void hold_back(struct decles_editor *e, const struct c1_field *v, double share) {
+    size_t k = (size_t)v->k;
+    for (size_t i = 0; i < e->sets.derived_count; i++)
+        for (size_t c = 0; c < k; c++) {
+            double *to = &e->suggested[i * k + c];
+            *to = decles_between(v->q[v->stride * e->sets.derived[i] + c], *to, share);
+        }
+}
+
+/* Step 5. */
+static bool suggest(struct decles_editor *e, const struct c1_field *v,
+                    const struct decles_edit *edit, struct err *err) {
+    if (!decles_suggest(&e->suggester, &e->sets, edit, v, e->suggested, err)) return false;
+    if (edit->share > 0 && edit->share < 1) hold_back(e, v, edit->share);
+    return check_suggested(e, v->k, err);
+}
+
 /* Steps 0 to 6: fills the suggestions and the solution. */
 static bool solve(struct decles_editor *e, const struct c1_field *values,
                   const struct decles_edit *edit, struct decles_report *report, struct err *err) {
@@ -132,9 +151,7 @@ static bool solve(struct decles_editor *e, const struct c1_field *values,
     double *fixed = NULL;
     bool ok = decles_sets_begin(&e->sets, edit, err) && check_anchors(edit, values->k, err) &&
               decles_close(&e->sets, edit, values, &rows, &report->added, err) &&
-              make_room(e, (size_t)values->k, err) &&
-              decles_suggest(&e->suggester, &e->sets, edit, values, e->suggested, err) &&
-              check_suggested(e, values->k, err) &&
+              make_room(e, (size_t)values->k, err) && suggest(e, values, edit, err) &&
               decles_fixed_values(&e->sets, edit, values, &fixed, err);
     if (ok) {
         targets.suggested = e->suggested;

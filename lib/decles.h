@@ -37,6 +37,7 @@ struct decles_edit {
     const uint32_t *slave; /* duplicates, anchors and pinned points among them are ignored */
     const struct decles_motion *motion;
     const struct decles_wish *wish; /* their points count as slaves */
+    double share; /* 0 < share < 1: p' is held back to this share of its way; 0 stands for 1 */
 };
 
 /* What one edit did; the arrays are borrowed until the next call on the same editor. */

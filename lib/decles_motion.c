@@ -32,3 +32,8 @@ void decles_move(const struct decles_motion *motion, double theta, struct decles
         to[1] = turned(motion->centre[1], turn.s, x, turn.c, y);
     }
 }
+
+double decles_between(double from, double to, double share) {
+    struct dd way = dd_two_sum(to, -from);
+    return dd_add_double(dd_mul_double(way, share), from).hi;
+}

@@ -26,4 +26,7 @@ struct decles_turn decles_turn(const struct decles_motion *motion, double theta)
 void decles_move(const struct decles_motion *motion, double theta, struct decles_turn turn,
                  const double *q, int k, double to[2]);
 
+/* (1 - share) from + share to, within an ulp of it; `from` or `to` itself for share 0 or 1. */
+double decles_between(double from, double to, double share);
+
 #endif

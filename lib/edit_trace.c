@@ -60,12 +60,13 @@ static bool see(void *context, const struct script_event *e, struct err *err) {
 bool edit_trace(struct edit_trace *trace, const struct script *script, size_t line,
                 struct spline *spline, const struct decles_options *options, struct err *err) {
     struct script cut = *script;
+    struct script_options run = {.decles = *options};
     struct script_observer observer = {see, trace};
     *trace = (struct edit_trace){.block = find_block(script, line)};
     if (!trace->block)
         return err_set_at(err, ERR_INPUT, script->name, line, 0, "expected a statement, got none");
     cut.block_count = (size_t)(trace->block - script->block) + 1;
-    if (!script_run(&cut, spline, options, &observer, err)) return false;
+    if (!script_run(&cut, spline, &run, &observer, err)) return false;
     if (trace->move_count == 0)
         return err_set_at(err, ERR_REFUSAL, script->name, line, 0,
                           "the statement moves no points of phi");

@@ -68,5 +68,9 @@ bool plan_put_statements(FILE *to, const struct script_event *e, struct err *err
         fprintf(to, "%s:%zu: %s\n", script->name, s->line, text);
         free(text);
     }
+    if (e->exit) {
+        points_put_number(to, "limited to ", e->exit->share);
+        fputc('\n', to);
+    }
     return true;
 }

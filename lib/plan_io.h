@@ -2,6 +2,7 @@
 /* plan_io - what an edit does, as text for people and awk (decles-edit -n):
  *
  *     bend.edits:3: move @2,1 by 0.2 0.1 reach 3
+ *     limited to 0.65625                             (if it was)
  *     phi: anchors 1, slaves 36, derived 122, conditions 63
  *       anchor 7 from 2 1 to 2.2 1.1
  *       wish 95 to 3 4
@@ -15,7 +16,7 @@
 
 #include <stdio.h>
 
-/* The statements of the event's block, each with its place. */
+/* The statements of the event's block, each with its place, and whether it was limited. */
 bool plan_put_statements(FILE *to, const struct script_event *e, struct err *err) WARN_UNUSED;
 
 /* What the event says of one channel, or the points of pin, unpin, weight. */

@@ -4,10 +4,13 @@
  *     statements --resolve--> anchors, motions, wishes, slaves of phi, bottom, top
  *                --check----> no point twice, no wish for an anchor
  *                --tidy-----> slaves ascending, without anchors and pinned points
- *                --apply----> channel by channel; undo what came before a refusal
+ *                --apply----> channel by channel
+ *                --guard----> does it fold? if it is to be limited: undo, apply a share of it
+ *                --tell-----> the observer
  *
- * Nothing is changed before `apply`, so only there is something to take back: the anchors (their
- * old positions are in `from`) and the derived points (copied from the report). */
+ * Nothing is changed before `apply`; from then on, whatever fails, all is taken back: the anchors
+ * (their old positions are in `from`) and the derived points (in the report, of which each channel
+ * keeps a copy). */
 #include "script_run.h"
 
 #include "decles_motion.h"
@@ -26,11 +29,21 @@ struct naming {
     size_t line;
 };
 
+/* A report whose lists are copies. */
+struct kept_report {
+    struct decles_report report;
+    uint32_t *derived;
+    double *suggested, *before;
+    uint64_t *condition;
+    size_t derived_cap, suggested_cap, before_cap, condition_cap;
+};
+
 struct channel {
     double *q; /* component c of point p: q[2*p + c], c < columns */
     int columns;
-    size_t anchor_count, anchor_cap, from_cap;
-    struct decles_anchor *anchor;
+    size_t anchor_count, anchor_cap, from_cap, moved_cap;
+    struct decles_anchor *anchor; /* as the statements have them */
+    struct decles_anchor *moved;  /* as they were moved, by all of that or a share of it */
     double (*from)[2];
     size_t motion_count, motion_cap;
     struct decles_motion *motion;
@@ -39,14 +52,15 @@ struct channel {
     size_t naming_count, naming_cap;
     struct naming *naming;
     struct point_set slaves, anchored; /* anchored: the anchors, ascending */
-    struct point_set undo;             /* derived points of the last edit, and where they were */
-    double *undo_q;
-    size_t undo_cap;
+    struct decles_edit edit;           /* the last one, and its report */
+    struct kept_report kept;
 };
 
 struct run {
     const struct script *script;
     struct decles_editor *editor;
+    struct foldfree *guard; /* NULL: folds are none of our business */
+    bool limit;
     struct select_space space;
     struct point_set points, near; /* of the statement being resolved */
     struct channel channel[SCRIPT_CHANNELS];
@@ -59,14 +73,15 @@ static bool place_at(const struct run *run, const struct script_statement *s, st
     return err_place(err, run->script->name, s->line, s->col);
 }
 
-/* Says of a refused edit which statement, or that the block, and which channel it was. */
-static bool place_refusal(const struct run *run, const struct script_block *b,
-                          enum script_channel channel, struct err *err) {
+/* Says of a refused edit which statement, or that the block, it was, and, unless it is the guard
+ * who refuses, which channel. */
+static bool place_refusal(const struct run *run, const struct script_block *b, const char *channel,
+                          struct err *err) {
     const struct script_statement *s = &run->script->statement[b->first];
     struct err inner = *err;
     if (inner.kind == ERR_REFUSAL)
-        err_set(err, ERR_REFUSAL, "%s, %s: %s", b->grouped ? "block" : script_verb_names[s->verb],
-                script_channel_names[channel], inner.message);
+        err_set(err, ERR_REFUSAL, "%s%s%s: %s", b->grouped ? "block" : script_verb_names[s->verb],
+                channel ? ", " : "", channel ? channel : "", inner.message);
     return err_place(err, run->script->name, b->line, b->col);
 }
 
@@ -243,7 +258,8 @@ static void tidy_slaves(const struct run *run, struct channel *ch) {
 
 static void clear_channel(struct channel *ch) {
     ch->anchor_count = ch->motion_count = ch->wish_count = ch->naming_count = 0;
-    ch->slaves.count = ch->anchored.count = ch->undo.count = 0;
+    ch->slaves.count = ch->anchored.count = 0;
+    ch->kept.report.derived = 0;
 }
 
 static bool prepare(struct run *run, const struct script_block *b, struct err *err) {
@@ -264,34 +280,29 @@ static bool prepare(struct run *run, const struct script_block *b, struct err *e
 
 /* ---- applying ---- */
 
-static bool keep_for_undo(struct channel *ch, const struct decles_report *report, struct err *err) {
-    size_t k = (size_t)ch->columns;
-    if (!mem_grow(ch->undo.point, &ch->undo.cap, report->derived, err) ||
-        !mem_grow(ch->undo_q, &ch->undo_cap, k * report->derived, err))
+static bool keep_report(struct kept_report *kept, const struct decles_report *r, size_t k,
+                        struct err *err) {
+    size_t n = r->derived;
+    if (!mem_grow(kept->derived, &kept->derived_cap, n, err) ||
+        !mem_grow(kept->suggested, &kept->suggested_cap, k * n, err) ||
+        !mem_grow(kept->before, &kept->before_cap, k * n, err) ||
+        !mem_grow(kept->condition, &kept->condition_cap, r->conditions, err))
         return false;
-    for (size_t i = 0; i < report->derived; i++) ch->undo.point[i] = report->derived_point[i];
-    for (size_t i = 0; i < k * report->derived; i++) ch->undo_q[i] = report->before[i];
-    ch->undo.count = report->derived;
+    for (size_t i = 0; i < n; i++) kept->derived[i] = r->derived_point[i];
+    for (size_t i = 0; i < k * n; i++) {
+        kept->suggested[i] = r->suggested[i];
+        kept->before[i] = r->before[i];
+    }
+    for (size_t i = 0; i < r->conditions; i++) kept->condition[i] = r->condition[i];
+    kept->report = *r;
+    kept->report.derived_point = kept->derived;
+    kept->report.suggested = kept->suggested;
+    kept->report.before = kept->before;
+    kept->report.condition = kept->condition;
     return true;
 }
 
-/* Puts the channel back to where it was, the derived points from `before`. */
-static void undo(struct run *run, struct channel *ch, const uint32_t *derived, size_t count,
-                 const double *before) {
-    size_t k = (size_t)ch->columns;
-    bool indexed = ch == &run->channel[SCRIPT_PHI];
-    for (size_t i = 0; i < count; i++) {
-        for (size_t c = 0; c < k; c++) ch->q[2 * (size_t)derived[i] + c] = before[k * i + c];
-        if (indexed) select_moved(&run->space, derived[i]);
-    }
-    for (size_t i = 0; i < ch->anchor_count; i++) {
-        uint32_t p = ch->anchor[i].point;
-        for (size_t c = 0; c < k; c++) ch->q[2 * (size_t)p + c] = ch->from[i][c];
-        if (indexed) select_moved(&run->space, p);
-    }
-}
-
-/* The indices of current positions follow phi. */
+/* The index of current positions follows phi. */
 static void note_moves(struct run *run, const struct decles_report *report) {
     const struct channel *ch = &run->channel[SCRIPT_PHI];
     for (size_t i = 0; i < ch->anchor_count; i++) select_moved(&run->space, ch->anchor[i].point);
@@ -299,42 +310,130 @@ static void note_moves(struct run *run, const struct decles_report *report) {
         select_moved(&run->space, report->derived_point[i]);
 }
 
+/* Puts the channel back to where it was before the edit of the report. */
+static void undo_channel(struct run *run, struct channel *ch, const struct decles_report *report) {
+    size_t k = (size_t)ch->columns;
+    for (size_t i = 0; i < report->derived; i++)
+        for (size_t c = 0; c < k; c++)
+            ch->q[2 * (size_t)report->derived_point[i] + c] = report->before[k * i + c];
+    for (size_t i = 0; i < ch->anchor_count; i++)
+        for (size_t c = 0; c < k; c++) ch->q[2 * (size_t)ch->anchor[i].point + c] = ch->from[i][c];
+    if (ch == &run->channel[SCRIPT_PHI]) note_moves(run, report);
+}
+
+/* Harmless for channels that were not edited yet. */
+static void undo(struct run *run) {
+    for (int c = 0; c < SCRIPT_CHANNELS; c++)
+        undo_channel(run, &run->channel[c], &run->channel[c].kept.report);
+}
+
+/* The edit of a channel, or a share of it. */
+static bool make_edit(struct channel *ch, double share, struct err *err) {
+    if (!mem_grow(ch->moved, &ch->moved_cap, ch->anchor_count, err)) return false;
+    for (size_t i = 0; i < ch->anchor_count; i++) {
+        ch->moved[i] = ch->anchor[i];
+        for (int c = 0; share < 1 && c < ch->columns; c++)
+            ch->moved[i].to[c] = decles_between(ch->from[i][c], ch->anchor[i].to[c], share);
+    }
+    ch->edit = (struct decles_edit){ch->anchor_count, ch->slaves.count, ch->motion_count,
+                                    ch->wish_count,   ch->moved,        ch->slaves.point,
+                                    ch->motion,       ch->wish,         share};
+    return true;
+}
+
 static bool apply_channel(struct run *run, const struct script_block *b, enum script_channel c,
-                          const struct script_observer *observer, struct err *err) {
+                          double share, struct err *err) {
     struct channel *ch = &run->channel[c];
     struct decles_report report = {0};
-    struct decles_edit edit = {ch->anchor_count, ch->slaves.count, ch->motion_count, ch->wish_count,
-                               ch->anchor,       ch->slaves.point, ch->motion,       ch->wish};
-    struct script_event event = {.script = run->script,
-                                 .block = b,
-                                 .points = &ch->slaves,
-                                 .channel = c,
-                                 .edit = &edit,
-                                 .from = (const double(*)[2])ch->from,
-                                 .report = &report};
     if (ch->anchor_count == 0) return true;
-    if (!decles_apply(run->editor, ch->q, 2, ch->columns, &edit, &report, err))
-        return place_refusal(run, b, c, err);
+    if (!make_edit(ch, share, err)) return false;
+    if (!decles_apply(run->editor, ch->q, 2, ch->columns, &ch->edit, &report, err))
+        return place_refusal(run, b, script_channel_names[c], err);
     if (c == SCRIPT_PHI) note_moves(run, &report);
-    if (!keep_for_undo(ch, &report, err)) {
-        undo(run, ch, report.derived_point, report.derived, report.before);
-        return false;
+    if (keep_report(&ch->kept, &report, (size_t)ch->columns, err)) return true;
+    undo_channel(run, ch, &report);
+    return false;
+}
+
+static bool apply(struct run *run, const struct script_block *b, double share, struct err *err) {
+    for (int c = 0; c < SCRIPT_CHANNELS; c++)
+        if (!apply_channel(run, b, (enum script_channel)c, share, err)) return false;
+    return true;
+}
+
+/* ---- guarding against folds ---- */
+
+static bool touch(struct run *run, struct err *err) {
+    for (int c = 0; c < SCRIPT_CHANNELS; c++) {
+        const struct channel *ch = &run->channel[c];
+        if (!foldfree_touch(run->guard, ch->anchored.point, ch->anchored.count, err) ||
+            !foldfree_touch(run->guard, ch->kept.derived, ch->kept.report.derived, err))
+            return false;
     }
-    return !observer || observer->see(observer->context, &event, err);
+    return true;
+}
+
+/* Applies the share at which the block is limited. Rounding may spoil that, next to a fold: a
+ * little less will do. The exit was found within 2^-9, so the third step back is within 1 %. */
+static bool limit(struct run *run, const struct script_block *b, struct foldfree_exit *exit,
+                  struct err *err) {
+    for (int step = 0;; step++) {
+        struct err folds;
+        undo(run);
+        if (!apply(run, b, exit->share, err) || !touch(run, err)) return false;
+        if (foldfree_check(run->guard, &folds)) return true;
+        if (step == 3 || folds.kind != ERR_REFUSAL) {
+            *err = folds;
+            return place_refusal(run, b, NULL, err);
+        }
+        exit->share -= 0x1p-9 * exit->share;
+    }
+}
+
+/* Accepts the block as it was applied, or limits it, or refuses it. */
+static bool guard(struct run *run, const struct script_block *b, struct foldfree_exit *exit,
+                  struct err *err) {
+    bool ok = touch(run, err);
+    if (ok &&
+        !(run->limit ? foldfree_find_exit(run->guard, exit, err) : foldfree_check(run->guard, err)))
+        ok = place_refusal(run, b, NULL, err);
+    if (ok && exit->share < 1) ok = limit(run, b, exit, err);
+    if (ok)
+        foldfree_accept(run->guard);
+    else
+        foldfree_reject(run->guard);
+    return ok;
+}
+
+/* ---- edits and settings ---- */
+
+static bool tell(const struct run *run, const struct script_block *b,
+                 const struct foldfree_exit *exit, const struct script_observer *observer,
+                 struct err *err) {
+    for (int c = 0; observer && c < SCRIPT_CHANNELS; c++) {
+        const struct channel *ch = &run->channel[c];
+        struct script_event event = {.script = run->script,
+                                     .block = b,
+                                     .points = &ch->slaves,
+                                     .channel = (enum script_channel)c,
+                                     .edit = &ch->edit,
+                                     .from = (const double(*)[2])ch->from,
+                                     .report = &ch->kept.report,
+                                     .exit = exit->share < 1 ? exit : NULL};
+        if (ch->anchor_count > 0 && !observer->see(observer->context, &event, err)) return false;
+    }
+    return true;
 }
 
 static bool run_edit(struct run *run, const struct script_block *b,
                      const struct script_observer *observer, struct err *err) {
+    struct foldfree_exit exit = {.share = 1};
     if (!prepare(run, b, err)) return false;
-    for (int c = 0; c < SCRIPT_CHANNELS; c++) {
-        if (apply_channel(run, b, (enum script_channel)c, observer, err)) continue;
-        for (; c >= 0; c--) {
-            struct channel *ch = &run->channel[c];
-            undo(run, ch, ch->undo.point, ch->undo.count, ch->undo_q);
-        }
-        return false;
-    }
-    return true;
+    if (apply(run, b, 1, err) && (!run->guard || guard(run, b, &exit, err)) &&
+        tell(run, b, &exit, observer, err))
+        return true;
+    undo(run);
+    return false;
 }
 
 /* pin, unpin, weight */
@@ -382,8 +481,11 @@ static void free_channel(struct channel *ch) {
     free(ch->naming);
     free(ch->slaves.point);
     free(ch->anchored.point);
-    free(ch->undo.point);
-    free(ch->undo_q);
+    free(ch->moved);
+    free(ch->kept.derived);
+    free(ch->kept.suggested);
+    free(ch->kept.before);
+    free(ch->kept.condition);
 }
 
 static void close_run(struct run *run) {
@@ -391,20 +493,30 @@ static void close_run(struct run *run) {
     free(run->points.point);
     free(run->near.point);
     select_free(&run->space);
-    if (run->editor) decles_free(run->editor);
+    decles_free(run->editor);
+    foldfree_free(run->guard);
+}
+
+static bool open_run(struct run *run, struct spline *spline, const struct script_options *options,
+                     struct err *err) {
+    run->limit = options->limit;
+    run->editor = decles_new(&spline->grid, &options->decles, err);
+    if (!run->editor) return false;
+    if (options->no_fold && !(run->guard = foldfree_new(spline, options->margin, err)))
+        return false;
+    open_channels(run, spline);
+    select_init(&run->space, &spline->grid, (const double(*)[2])spline->phi);
+    return true;
 }
 
 bool script_run(const struct script *script, struct spline *spline,
-                const struct decles_options *options, const struct script_observer *observer,
+                const struct script_options *options, const struct script_observer *observer,
                 struct err *err) {
     struct run run = {.script = script};
-    bool ok = true;
+    bool ok;
     if (script->block_count == 0) return true;
-    run.editor = decles_new(&spline->grid, options, err);
-    if (!run.editor)
-        return err_place(err, script->name, script->block[0].line, script->block[0].col);
-    open_channels(&run, spline);
-    select_init(&run.space, &spline->grid, (const double(*)[2])spline->phi);
+    ok = open_run(&run, spline, options, err) ||
+         err_place(err, script->name, script->block[0].line, script->block[0].col);
     for (size_t i = 0; ok && i < script->block_count; i++)
         ok = run_block(&run, &script->block[i], observer, err);
     close_run(&run);

@@ -199,8 +199,8 @@ static void fill_edit(struct random_edit *r, const struct editing *s, uint64_t *
            wishes = random_in(random, 0, 2) ? 0 : (size_t)random_in(random, 1, 3);
     memset(r, 0, sizeof *r);
     random_points(&s->g, random, points, anchors + slaves + wishes);
-    r->edit = (struct decles_edit){anchors,   slaves,   anchors,   wishes,
-                                   r->anchor, r->slave, r->motion, r->wish};
+    r->edit = (struct decles_edit){anchors,  slaves,    anchors, wishes, r->anchor,
+                                   r->slave, r->motion, r->wish, 0};
     for (size_t i = 0; i < anchors; i++) {
         r->motion[i] = random_motion(s, random, k);
         r->anchor[i].point = points[i];

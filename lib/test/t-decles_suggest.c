@@ -48,8 +48,8 @@ static void fill_plan(struct plan *b, const struct editing *s, uint64_t *random,
     uint32_t p[70];
     memset(b, 0, sizeof *b);
     random_points(&s->g, random, p, anchors + slaves + wishes);
-    b->edit =
-        (struct decles_edit){anchors, slaves, 8, wishes, b->anchor, b->slave, b->motion, b->wish};
+    b->edit = (struct decles_edit){anchors,  slaves,    8,       wishes, b->anchor,
+                                   b->slave, b->motion, b->wish, 0};
     for (int m = 0; m < 8; m++) {
         b->motion[m].kind = k == 1 ? DECLES_TRANSLATE : (enum decles_kind)random_in(random, 0, 2);
         for (int c = 0; c < 2; c++) {

@@ -30,7 +30,7 @@ static void set_up(struct spline *s, bool depth) {
 
 static bool run_with(struct spline *s, const char *text, int continuity,
                      const struct script_observer *observer, struct err *err) {
-    struct decles_options options = {.continuity = continuity, .max_gain = 100};
+    struct script_options options = {.decles = {.continuity = continuity, .max_gain = 100}};
     struct script script;
     bool ok;
     assert_true(edits_parse(&script, "t", text, strlen(text), err));
@@ -548,7 +548,7 @@ static void test_empty(void **unused) {
     struct spline s;
     struct script script;
     struct err err;
-    struct decles_options options = {.continuity = 1, .max_gain = 100};
+    struct script_options options = {.decles = {.continuity = 1, .max_gain = 100}};
     (void)unused;
     set_up(&s, false);
     assert_true(script_init(&script, "t", &err));
