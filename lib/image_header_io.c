@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each format has a reader that goes over the bytes with a cursor. Numbers beyond the end are 0 and
  * leave a mark, `cut`, so readers need to look at it only where they repeat something. A reader
- * stores width and height, and returns what is wrong, or NULL; sizes out of range, also those that
- * were not found and are 0, are refused in one place.
+ * stores width and height (of PNM also the largest value), and returns what is wrong, or NULL;
+ * sizes out of range, also those that were not found and are 0, are refused in one place.
  *
  *   PNG      8 bytes, then chunks { length 4, type 4, data, CRC 4 }; IHDR first, pixels in IDAT
  *   TIFF     header { II|MM, 42, offset of the directory }, directory { n, n entries of 12 bytes }
@@ -58,7 +58,7 @@ static unsigned png_depths(uint64_t colour) {
     }
 }
 
-static const char *png_ihdr(struct bytes *b, int64_t size[2]) {
+static const char *png_ihdr(struct bytes *b, int64_t size[3]) {
     const unsigned char *type = b->begin + b->at + 4;
     uint64_t length = number(b, 4), depth, colour, crc;
     if (number(b, 4) != CHUNK('I', 'H', 'D', 'R') || length != 13)
@@ -82,7 +82,7 @@ static bool letters(uint64_t type) {
     return true;
 }
 
-static const char *read_png(struct bytes *b, int64_t size[2]) {
+static const char *read_png(struct bytes *b, int64_t size[3]) {
     const char *wrong;
     b->big_endian = true;
     skip(b, 8);
@@ -104,7 +104,7 @@ static int tiff_bytes(uint64_t type) {
     return type == 1 ? 1 : type == 3 ? 2 : type == 4 ? 4 : type == 16 ? 8 : 0;
 }
 
-static const char *read_tiff(struct bytes *b, int64_t size[2]) {
+static const char *read_tiff(struct bytes *b, int64_t size[3]) {
     enum { WIDTH = 256, HEIGHT = 257, BIG = 43 };
     bool big;
     int word;
@@ -151,7 +151,7 @@ static int64_t exr_integer(struct bytes *b) {
     return (int32_t)number(b, 4);
 }
 
-static const char *read_exr(struct bytes *b, int64_t size[2]) {
+static const char *read_exr(struct bytes *b, int64_t size[3]) {
     enum { VERSION = 2 };
     const char *name;
     skip(b, 4);
@@ -195,7 +195,7 @@ static int64_t pnm_number(struct bytes *b) {
     return n;
 }
 
-static const char *read_pnm(struct bytes *b, int64_t size[2]) {
+static const char *read_pnm(struct bytes *b, int64_t size[3]) {
     bool bitmap = b->begin[1] == '1' || b->begin[1] == '4';
     int64_t value[3] = {-1, -1, 1};
     skip(b, 2);
@@ -205,8 +205,10 @@ static const char *read_pnm(struct bytes *b, int64_t size[2]) {
     }
     if (value[0] < 0 || value[1] < 0) return "expected width and height";
     if (value[2] < 1 || value[2] > 65535) return "the largest value is not in 1..65535";
-    memcpy(size, value, 2 * sizeof *size);
-    return blank(peek(b)) ? NULL : "expected a blank after the header";
+    memcpy(size, value, sizeof value);
+    if (!blank(peek(b))) return "expected a blank after the header";
+    skip(b, 1);
+    return NULL;
 }
 
 /* --- JPEG ----------------------------------------------------------------------------------- */
@@ -216,7 +218,7 @@ static bool jpeg_frame(uint64_t marker) {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
-static const char *read_jpeg(struct bytes *b, int64_t size[2]) {
+static const char *read_jpeg(struct bytes *b, int64_t size[3]) {
     b->big_endian = true;
     skip(b, 2);
     while (!b->cut) {
@@ -244,7 +246,7 @@ static const struct {
     const char *name;
     size_t length;
     const char *first; /* bytes of the file */
-    const char *(*read)(struct bytes *, int64_t size[2]);
+    const char *(*read)(struct bytes *, int64_t size[3]);
 } formats[] = {
     {IMAGE_PNG, "PNG", 8, "\x89PNG\r\n\x1a\n", read_png},
     {IMAGE_TIFF, "TIFF", 4, "II*\0", read_tiff},
@@ -276,7 +278,7 @@ static bool begins(const void *bytes, size_t length, const char *first, size_t n
 
 bool image_header(struct image_header *h, const void *bytes, size_t length, struct err *err) {
     struct bytes b = {.begin = bytes, .length = length};
-    int64_t size[2] = {0, 0};
+    int64_t size[3] = {0, 0, 0};
     const char *wrong;
     size_t i = 0, n = sizeof formats / sizeof *formats;
     while (i < n && !begins(bytes, length, formats[i].first, formats[i].length)) i++;
@@ -289,7 +291,11 @@ bool image_header(struct image_header *h, const void *bytes, size_t length, stru
             return err_set(err, ERR_INPUT,
                            "expected sides of 1..%d pixels, got %" PRId64 "x%" PRId64,
                            IMAGE_SIDE_MAX, size[0], size[1]);
-    *h = (struct image_header){formats[i].format, (uint32_t)size[0], (uint32_t)size[1]};
+    *h = (struct image_header){.format = formats[i].format,
+                               .width = (uint32_t)size[0],
+                               .height = (uint32_t)size[1],
+                               .largest = (uint32_t)size[2],
+                               .pixels = b.at};
     return true;
 }
 

@@ -14,17 +14,15 @@
 #ifndef IMAGE_HEADER_IO_H
 #define IMAGE_HEADER_IO_H
 
-#include "err.h"
-
-#include <stdint.h>
+#include "image.h"
 
 enum image_format { IMAGE_PNG, IMAGE_TIFF, IMAGE_OPENEXR, IMAGE_PNM, IMAGE_JPEG };
-
-enum { IMAGE_SIDE_MAX = 1 << 24 }; /* as many pixels as a lattice has steps */
 
 struct image_header {
     enum image_format format;
     uint32_t width, height; /* 1..IMAGE_SIDE_MAX */
+    uint32_t largest;       /* PNM: the value of white, 1..65535 */
+    size_t pixels;          /* PNM: where they begin */
 };
 
 /* Reads the header at the beginning of these bytes, which are the whole file. O(its length). */

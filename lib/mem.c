@@ -15,6 +15,15 @@ static void *alloc_large(size_t bytes) {
     return p;
 }
 
+void *mem_alloc_unset(size_t n, size_t size, struct err *err) {
+    size_t bytes;
+    void *p = NULL;
+    if (!__builtin_mul_overflow(n, size, &bytes))
+        p = bytes >= HUGE_PAGE ? alloc_large(bytes) : malloc(bytes ? bytes : 1);
+    if (!p) err_memory(err);
+    return p;
+}
+
 void *mem_alloc(size_t n, size_t size, struct err *err) {
     size_t bytes;
     bool large = !__builtin_mul_overflow(n, size, &bytes) && bytes >= HUGE_PAGE;

@@ -10,6 +10,9 @@
 /* n zeroed elements of the given size; never NULL on success, also for n = 0. */
 void *mem_alloc(size_t n, size_t size, struct err *err) WARN_UNUSED;
 
+/* The same, not zeroed: for what is overwritten anyway; takes no memory until it is. */
+void *mem_alloc_unset(size_t n, size_t size, struct err *err) WARN_UNUSED;
+
 /* Sets p to n zeroed elements of its type; false if there is no memory. */
 #define mem_new(p, n, err) (((p) = mem_alloc((n), sizeof *(p), (err))) != NULL)
 
