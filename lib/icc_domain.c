@@ -206,8 +206,9 @@ uint32_t icc_domain_nearest(const struct icc_domain *d, const double world[2]) {
     icc_domain_to_grid(d, world, p);
     for (uint32_t v = 0; v < n; v++) {
         if (!d->inside[v]) continue;
-        uint32_t i = v % d->nx, j = v / d->nx;
-        double x = i - p[0], y = j - p[1];
+        double q[2];
+        icc_domain_vertex_grid(d, v, q);
+        double x = q[0] - p[0], y = q[1] - p[1];
         if (x * x + y * y < least) {
             least = x * x + y * y;
             best = v;

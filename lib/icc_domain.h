@@ -59,9 +59,15 @@ static inline void icc_domain_to_world(const struct icc_domain *d, const double 
     for (int c = 0; c < 2; c++) world[c] = d->centre[c] + d->h * (grid[c] - d->middle[c]);
 }
 
-static inline void icc_domain_vertex(const struct icc_domain *d, uint32_t v, double world[2]) {
+static inline void icc_domain_vertex_grid(const struct icc_domain *d, uint32_t v, double grid[2]) {
     uint32_t i = v % d->nx, j = v / d->nx;
-    double grid[2] = {i, j};
+    grid[0] = i;
+    grid[1] = j;
+}
+
+static inline void icc_domain_vertex(const struct icc_domain *d, uint32_t v, double world[2]) {
+    double grid[2];
+    icc_domain_vertex_grid(d, v, grid);
     icc_domain_to_world(d, grid, world);
 }
 
