@@ -6,32 +6,7 @@
  *
  * where g! = i! j! k!, so that the factor is d^2 2^2e / (n! 2 area). */
 #include "jacobian.h"
-
-#include <limits.h>
-#include <math.h>
-
-/* x = m 2^e, m odd or 0; returns e, INT_MAX for 0. */
-static int split(double x, mpz_t m) {
-    int e;
-    if (x == 0) {
-        mpz_set_ui(m, 0);
-        return INT_MAX;
-    }
-    mpz_set_d(m, ldexp(frexp(x, &e), 53));
-    return e - 53;
-}
-
-/* Doubles into integers times 2^(the returned exponent). */
-static int common_exponent(int n, const double *x, mpz_t *m) {
-    int exponent[2 * GRID_PATCH_MAX], least = INT_MAX;
-    for (int i = 0; i < n; i++) {
-        exponent[i] = split(x[i], m[i]);
-        if (exponent[i] < least) least = exponent[i];
-    }
-    for (int i = 0; i < n; i++)
-        if (exponent[i] != INT_MAX) mpz_mul_2exp(m[i], m[i], (mp_bitcnt_t)(exponent[i] - least));
-    return least == INT_MAX ? 0 : least;
-}
+#include "rational.h"
 
 static void scale_factor(mpq_t factor, int exponent) {
     if (exponent >= 0)
@@ -134,7 +109,7 @@ static void nets_init(struct nets *nets, const struct grid *g, uint32_t t, const
             x[i] = (h ? other : one)[q[i / 2]][i % 2];
             mpz_init(nets->z[h][i]);
         }
-        exponent[h] = common_exponent(2 * nets->points, x, nets->z[h]);
+        exponent[h] = rational_integers(2 * nets->points, x, nets->z[h]);
     }
     nets->exponent = exponent[0];
     if (nets->count == 2 && exponent[1] < exponent[0]) nets->exponent = exponent[1];

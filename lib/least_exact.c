@@ -16,6 +16,7 @@
 #include "least.h"
 
 #include "mem.h"
+#include "rational.h"
 
 #include <math.h>
 
@@ -201,30 +202,6 @@ void least_value(int n, const mpz_t *c, const struct least_place *place, mpq_t v
     for (int i = 0; i < least_size(n); i++) mpz_clear(v[i]);
 }
 
-/* The fraction of least denominator in [lo, hi], 0 <= lo <= hi: by continued fractions, the
- * integer parts in common and then the least integer that fits. */
-static void simplest(mpq_t lo, mpq_t hi, mpq_t result) {
-    mpz_t whole;
-    mpz_init(whole);
-    mpz_cdiv_q(whole, mpq_numref(lo), mpq_denref(lo));
-    mpq_set_z(result, whole);
-    if (mpq_cmp(result, hi) > 0) { /* lo and hi lie strictly between two integers */
-        mpq_t base, a, b;
-        mpz_sub_ui(whole, whole, 1);
-        mpq_inits(base, a, b, NULL);
-        mpq_set_z(base, whole);
-        mpq_sub(a, hi, base);
-        mpq_sub(b, lo, base);
-        mpq_inv(a, a);
-        mpq_inv(b, b);
-        simplest(a, b, result);
-        mpq_inv(result, result);
-        mpq_add(result, result, base);
-        mpq_clears(base, a, b, NULL);
-    }
-    mpz_clear(whole);
-}
-
 /* The simplest values of b1 and b2 within a part. */
 static void simple_coordinates(const struct search *s, const mpz_t *part, mpq_t b[3]) {
     mpq_t lo, hi;
@@ -241,7 +218,7 @@ static void simple_coordinates(const struct search *s, const mpz_t *part, mpq_t 
         mpq_set_z(hi, x[most]);
         mpq_div_2exp(lo, lo, (mp_bitcnt_t)s->generation);
         mpq_div_2exp(hi, hi, (mp_bitcnt_t)s->generation);
-        simplest(lo, hi, b[l]);
+        rational_simplest(lo, hi, b[l]);
         mpq_sub(b[0], b[0], b[l]);
     }
     mpq_clears(lo, hi, NULL);
