@@ -8,6 +8,17 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+static void report_overlap(struct report *r, const struct overlap *o) {
+    static const char *const kinds[] = {
+        [OVERLAP_NONE] = "none", [OVERLAP_TOUCH] = "touch", [OVERLAP_AREA] = "overlap"};
+    char text[64];
+    report_text(r, "overlap", kinds[o->kind]);
+    if (o->kind == OVERLAP_NONE) return;
+    (void)snprintf(text, sizeof text, "%u %u", o->triangle[0], o->triangle[1]);
+    report_text(r, "overlap-triangles", text);
+    report_text(r, "overlap-place", o->text);
+}
+
 static void report_topology(struct report *r, const struct grid *g, const struct check *c) {
     report_int(r, "degree", g->degree);
     report_int(r, "vertices", g->vertex_count);
@@ -19,7 +30,7 @@ static void report_topology(struct report *r, const struct grid *g, const struct
     report_int(r, "inner-vertices", c->inner_vertices);
     report_int(r, "singular-vertices", c->singular_vertices);
     report_int(r, "control-points", g->point_count);
-    report_text(r, "overlap", c->overlap[0] ? c->overlap : "none");
+    report_overlap(r, &c->injective.overlap);
 }
 
 static void report_continuity(struct report *r, const struct grid *g, const struct continuity *c) {
@@ -91,6 +102,54 @@ static void report_certificate(struct report *r, const char *const key[9], const
     }
 }
 
+/* An edge, and the interval of its parameter: from the one vertex at 0 to the other at 1. */
+static void report_boundary_place(struct report *r, int i, const struct boundary_meeting *m) {
+    const struct boundary_place *place = &m->place[i];
+    char key[32], *text = NULL;
+    (void)snprintf(key, sizeof key, "boundary-place-%d", i + 1);
+    if (gmp_asprintf(&text, "%u %u %Qd %Qd", place->from, place->to, m->meet.lo[i], m->meet.hi[i]) >
+        0)
+        report_text(r, key, text);
+    free(text);
+    (void)snprintf(key, sizeof key, "boundary-triangle-%d", i + 1);
+    report_int(r, key, place->triangle);
+    (void)snprintf(key, sizeof key, "boundary-position-%d", i + 1);
+    report_numbers(r, key, 2, place->position);
+}
+
+static void report_boundary(struct report *r, const struct boundary_meeting *m) {
+    static const char *const verdicts[] = {[MEET_NOT] = "simple",
+                                           [MEET_UNDECIDED] = "undecided",
+                                           [MEET_CROSS] = "crosses",
+                                           [MEET_POINT] = "meets"};
+    report_text(r, "boundary", verdicts[m->meet.verdict]);
+    if (m->meet.verdict == MEET_NOT) return;
+    for (int i = 0; i < 2; i++) report_boundary_place(r, i, m);
+    report_numbers(r, "boundary-image", 2, m->image);
+    if (m->meet.verdict == MEET_UNDECIDED) report_number(r, "boundary-distance", m->meet.distance);
+}
+
+static void report_injective(struct report *r, const struct injective *j, bool depth) {
+    static const char *const fans[] = {[FAN_SOUND] = "once",
+                                       [FAN_COVERS] = "more",
+                                       [FAN_CLOSES] = "full-turn",
+                                       [FAN_UNKNOWN] = "unknown"};
+    static const char *const nestings[] = {
+        [NESTING_NONE] = "none", [NESTING_UNDECIDED] = "undecided", [NESTING_INSIDE] = "inside"};
+    report_text(r, "windings", fans[j->fans]);
+    if (j->fans != FAN_SOUND) report_int(r, "windings-vertex", j->fan_vertex);
+    report_boundary(r, &j->boundary);
+    report_text(r, "containment",
+                j->boundary.meet.verdict == MEET_NOT ? nestings[j->nesting.verdict]
+                                                     : "not-examined");
+    if (j->nesting.verdict == NESTING_INSIDE) {
+        report_int(r, "containment-vertex", j->nesting.vertex);
+        report_int(r, "containment-triangle", j->nesting.triangle);
+    }
+    report_text(r, "one-to-one", injective_verdict_names[j->phi]);
+    if (depth) report_text(r, "psi-one-to-one", injective_verdict_names[j->psi]);
+}
+
 static void report_triangles(struct report *r, const char *key, const struct grid *g,
                              const struct jacobian_report *j) {
     report_table_begin(r, key);
@@ -118,8 +177,9 @@ void check_write(struct out *out, const struct check *c, const struct spline *s,
     report_topology(&r, g, c);
     report_continuity(&r, g, &c->continuity);
     report_certificate(&r, plane_keys, g, &c->plane);
+    if (s->sigma) report_certificate(&r, thickness_keys, g, &c->thickness);
+    report_injective(&r, &c->injective, s->sigma != NULL);
     if (s->sigma) {
-        report_certificate(&r, thickness_keys, g, &c->thickness);
         report_number(&r, "volume", c->volume);
         report_number(&r, "volume-ratio", c->volume_ratio);
     }

@@ -46,3 +46,17 @@ bool topology_survey(struct topology *t, const struct grid *g, struct err *err) 
     free(parent);
     return true;
 }
+
+bool topology_components(const struct grid *g, uint32_t *component, struct err *err) {
+    uint32_t *parent, n = 0;
+    if (!mem_new(parent, g->vertex_count, err)) return false;
+    (void)count_sets(g, parent, false);
+    for (uint32_t v = 0; v < g->vertex_count; v++) component[v] = GRID_NONE;
+    for (uint32_t v = 0; v < g->vertex_count; v++) {
+        uint32_t root = find(parent, v);
+        if (component[root] == GRID_NONE) component[root] = n++;
+        component[v] = component[root];
+    }
+    free(parent);
+    return true;
+}
