@@ -193,17 +193,41 @@ bool cli_cells(const struct cli *cli, int64_t hi, int64_t n[2], struct err *err)
     return cli_bad_value(cli, err, "two integers in 1..%lld as in 16x12", (long long)hi);
 }
 
-bool cli_choice(const struct cli *cli, const char *const *names, int *index, struct err *err) {
+/* The index of the name [word, word + length), or -1. */
+static int find_name(const char *const *names, const char *word, size_t length) {
+    for (int i = 0; names[i]; i++)
+        if (strlen(names[i]) == length && memcmp(names[i], word, length) == 0) return i;
+    return -1;
+}
+
+static bool bad_name(const struct cli *cli, const char *what, const char *const *names,
+                     struct err *err) {
     char list[256] = "";
     size_t used = 0;
-    for (int i = 0; names[i]; i++)
-        if (strcmp(names[i], cli->value) == 0) {
-            *index = i;
-            return true;
-        }
     for (int i = 0; names[i] && used < sizeof list; i++)
         used += (size_t)snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", names[i]);
-    return cli_bad_value(cli, err, "one of %s", list);
+    return cli_bad_value(cli, err, "%s %s", what, list);
+}
+
+bool cli_choice(const struct cli *cli, const char *const *names, int *index, struct err *err) {
+    int found = find_name(names, cli->value, strlen(cli->value));
+    if (found < 0) return bad_name(cli, "one of", names, err);
+    *index = found;
+    return true;
+}
+
+bool cli_names(const struct cli *cli, const char *const *names, unsigned *set, struct err *err) {
+    unsigned found = 0;
+    for (const char *at = cli->value;; at++) {
+        size_t n = strcspn(at, ",");
+        int i = find_name(names, at, n);
+        if (i < 0) return bad_name(cli, "a list, with commas, of", names, err);
+        found |= 1u << i;
+        at += n;
+        if (!*at) break;
+    }
+    *set = found;
+    return true;
 }
 
 const char *cli_operand(const struct cli *cli, int i) {

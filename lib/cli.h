@@ -69,6 +69,11 @@ bool cli_cells(const struct cli *cli, int64_t hi, int64_t n[2], struct err *err)
 bool cli_choice(const struct cli *cli, const char *const *names, int *index,
                 struct err *err) WARN_UNUSED;
 
+/* The current option's value as a set of such names, with commas between them: bit 1 << index each.
+ * At most 32 names. */
+bool cli_names(const struct cli *cli, const char *const *names, unsigned *set,
+               struct err *err) WARN_UNUSED;
+
 /* A usage error about the current option: "--NAME: MESSAGE, got 'VALUE'". Always false. */
 bool cli_bad_value(const struct cli *cli, struct err *err, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -49,7 +49,7 @@ static void measure(struct figure_panel *p) {
         widen(p, content->image->frame);
         widen(p, content->image->frame + 2);
     }
-    for (size_t i = 0; !p->deformed && content->lines && i < content->lines->point_count; i++)
+    for (size_t i = 0; content->lines && i < content->lines->point_count; i++)
         widen(p, content->lines->point[i]);
 }
 
@@ -69,7 +69,7 @@ static double net_spacing(const struct figure_panel *p) {
 /* ---- the page ---- */
 
 static bool draw_panel(const struct figure_panel *p, struct err *err) {
-    if (p->content->image) figure_image(p);
+    if (p->content->image) figure_picture(p);
     if (figure_shows(p, FIGURE_JACOBIAN) && !figure_growth(p, err)) return false;
     if (p->content->model[p->deformed]) figure_silhouette(p);
     if (figure_shows(p, FIGURE_QUADS)) figure_quads(p);
@@ -79,7 +79,7 @@ static bool draw_panel(const struct figure_panel *p, struct err *err) {
     if (figure_shows(p, FIGURE_POINTS) || figure_shows(p, FIGURE_TYPES)) figure_points(p);
     if (figure_shows(p, FIGURE_SETS) && p->content->edit) figure_sets(p);
     if (figure_shows(p, FIGURE_LABELS)) figure_labels(p);
-    if (p->content->lines && !p->deformed) figure_lines(p);
+    if (p->content->lines) figure_lines(p);
     return true;
 }
 

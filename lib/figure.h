@@ -10,6 +10,7 @@
 
 #include "drawing.h"
 #include "edit_trace.h"
+#include "figure_image.h"
 #include "model.h"
 #include "polylines.h"
 
@@ -33,17 +34,11 @@ enum figure_layer {
 extern const char *const figure_layer_names[];
 extern const char *const figure_side_names[];
 
-struct figure_image { /* borrowed; rows downwards, 0xRRGGBBAA */
-    uint32_t width, height;
-    const uint32_t *pixel;
-    double frame[4]; /* world position of the first pixel's outer corner, and of the last one's */
-};
-
 struct figure_content {          /* all borrowed; NULL: not there */
     const struct spline *spline; /* NULL: only the domain side, and no layers */
     const struct edit_trace *edit;
     const struct model *model[2];  /* before and after the deformation, in the grid's frame */
-    const struct polylines *lines; /* with the domain */
+    const struct polylines *lines; /* on both sides */
     const struct figure_image *image;
 };
 

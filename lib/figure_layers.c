@@ -16,7 +16,7 @@ double figure_size(const struct figure_panel *p, double part, double least, doub
     return fmin(fmax(part * p->spacing, least), most);
 }
 
-void figure_image(const struct figure_panel *p) {
+void figure_picture(const struct figure_panel *p) {
     const struct figure_image *image = p->content->image;
     size_t n = (size_t)image->width * image->height;
     double first[2], last[2];
@@ -48,9 +48,10 @@ static void trace_element(const struct figure_panel *p, const struct model *m, s
 
 void figure_silhouette(const struct figure_panel *p) {
     const struct model *m = p->content->model[p->deformed];
+    const uint32_t fill = p->content->image ? PALETTE_SHADOW & 0xffffff99 : PALETTE_SHADOW;
     for (size_t e = 0; e < m->element_count; e++)
         if (m->kind[e] == 'f') trace_element(p, m, e);
-    drawing_paint(p->drawing, &(struct drawing_ink){.fill = PALETTE_SHADOW});
+    drawing_paint(p->drawing, &(struct drawing_ink){.fill = fill});
     for (size_t e = 0; e < m->element_count; e++)
         if (m->kind[e] == 'l') trace_element(p, m, e);
     drawing_paint(p->drawing, &(struct drawing_ink){.stroke = PALETTE_SHADOW, .width = 1.5});
@@ -111,6 +112,8 @@ static bool add_cell(struct cells *cells, const struct figure_panel *p,
 
 static int compare_cells(const void *a, const void *b) {
     const struct cell *m = a, *n = b;
+    const uint32_t fold = palette_growth(-1) & 0xfcfcfcff;
+    if ((m->colour == fold) != (n->colour == fold)) return m->colour == fold ? 1 : -1; /* last */
     if (m->colour != n->colour) return m->colour < n->colour ? -1 : 1;
     return memcmp(m->corner, n->corner, sizeof m->corner); /* any order, but always the same */
 }

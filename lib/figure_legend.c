@@ -132,7 +132,6 @@ double figure_legend(const struct figure_panel *p, double y) {
     if (sets && p->deformed) arrows(&f);
     if (content->spline && figure_shows(p, FIGURE_QUADS)) quads(&f, content->edit != NULL);
     if (content->spline && figure_shows(p, FIGURE_JACOBIAN)) growth(&f);
-    if (content->lines && !(content->spline && p->options->side == FIGURE_DEFORMED))
-        lines(&f, content->lines);
+    if (content->lines) lines(&f, content->lines);
     return f.used ? f.y + LINE : y;
 }

@@ -30,7 +30,7 @@ static inline void figure_page(const struct figure_panel *p, const double xy[2],
 /* A size that follows the spacing of the net, within limits, page units. */
 double figure_size(const struct figure_panel *p, double part, double least, double most);
 
-void figure_image(const struct figure_panel *p);
+void figure_picture(const struct figure_panel *p);
 void figure_silhouette(const struct figure_panel *p);
 bool figure_growth(const struct figure_panel *p, struct err *err) WARN_UNUSED;
 void figure_quads(const struct figure_panel *p);

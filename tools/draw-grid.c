@@ -4,8 +4,10 @@
 #include "drawing_io.h"
 #include "edits_io.h"
 #include "figure.h"
+#include "figure_image.h"
 #include "figure_model.h"
 #include "grid_io.h"
+#include "image_io.h"
 #include "mem.h"
 #include "num.h"
 #include "obj_io.h"
@@ -20,6 +22,8 @@ enum {
     KEY_EDIT,
     KEY_MODEL,
     KEY_LINES,
+    KEY_IMAGE,
+    KEY_FRAME,
     KEY_WIDTH,
     KEY_TO,
     KEY_NO_GRID,
@@ -34,7 +38,9 @@ static const struct cli_option options[] = {
     {KEY_EDIT, "edit", "EDITS:LINE", "carry out EDITS up to this line and show what that does"},
     {KEY_MODEL, "model", "FILE", "with the silhouette of this OBJ model"},
     {KEY_LINES, "lines", "FILE", "with these polylines: x y LABEL, a blank line ends one"},
-    {KEY_NO_GRID, "no-grid", NULL, "draw the lines alone"},
+    {KEY_IMAGE, "image", "FILE", "over this image"},
+    {KEY_FRAME, "frame", "X0,Y0,X1,Y1", "where the image lies (default: one unit a pixel, y down)"},
+    {KEY_NO_GRID, "no-grid", NULL, "draw the lines or the image alone"},
     {KEY_WIDTH, "width", "W", "of the picture, in pixels or 1/96 inch (800)"},
     {KEY_Y_DOWN, "y-down", NULL, "the world's y grows downwards"},
     {KEY_NO_LEGEND, "no-legend", NULL, "without the legend"},
@@ -57,31 +63,14 @@ static const struct cli_program program = {
 struct settings {
     struct figure_options figure;
     int to, digits;
-    const char *edit, *model, *lines, *output, *grid;
+    const char *edit, *model, *lines, *image, *output, *grid;
+    double frame[4];
+    bool has_frame;
     char *edits; /* the file of --edit */
     size_t line;
     bool no_grid;
     enum drawing_format format;
 };
-
-/* A list of names with commas. */
-static bool parse_layers(const struct cli *cli, unsigned *layers, struct err *err) {
-    *layers = 0;
-    for (const char *at = cli->value;; at++) {
-        size_t n = strcspn(at, ",");
-        int layer = 0;
-        while (figure_layer_names[layer] && (strlen(figure_layer_names[layer]) != n ||
-                                             memcmp(figure_layer_names[layer], at, n) != 0))
-            layer++;
-        if (!figure_layer_names[layer])
-            return cli_bad_value(cli, err,
-                                 "a list of triangles, net, points, types, quads, "
-                                 "labels, sets, jacobian, outline");
-        *layers |= 1u << layer;
-        at += n;
-        if (!*at) return true;
-    }
-}
 
 /* EDITS:LINE */
 static bool parse_edit(const struct cli *cli, struct settings *set, struct err *err) {
@@ -105,7 +94,7 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
         set->figure.side = (enum figure_side)side;
         return true;
     case KEY_LAYERS:
-        return parse_layers(cli, &set->figure.layers, err);
+        return cli_names(cli, figure_layer_names, &set->figure.layers, err);
     case KEY_EDIT:
         return parse_edit(cli, set, err);
     case KEY_MODEL:
@@ -114,6 +103,12 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
     case KEY_LINES:
         set->lines = cli->value;
         return true;
+    case KEY_IMAGE:
+        set->image = cli->value;
+        return true;
+    case KEY_FRAME:
+        set->has_frame = true;
+        return cli_doubles(cli, 4, set->frame, err);
     case KEY_NO_GRID:
         set->no_grid = true;
         return true;
@@ -144,8 +139,11 @@ static bool check(const struct cli *cli, struct settings *set, struct err *err) 
     if ((set->figure.layers >> FIGURE_SETS & 1) && !set->edit)
         return err_set(err, ERR_USAGE,
                        "the layer sets needs --edit EDITS:LINE; try draw-grid --help");
-    if (set->no_grid && !set->lines)
-        return err_set(err, ERR_USAGE, "--no-grid needs --lines FILE; try draw-grid --help");
+    if (set->no_grid && !set->lines && !set->image)
+        return err_set(err, ERR_USAGE, "--no-grid needs --lines or --image; try draw-grid --help");
+    if (set->has_frame && !set->image)
+        return err_set(err, ERR_USAGE, "--frame needs --image FILE; try draw-grid --help");
+    if (set->image && !set->has_frame) set->figure.y_down = true;
     if (set->no_grid && (set->edit || set->model || cli->operand_count > 0))
         return err_set(err, ERR_USAGE,
                        "--no-grid goes without --edit, --model and GRID; try draw-grid --help");
@@ -166,6 +164,7 @@ struct job {
     struct model model, deformed;
     struct edit_trace trace;
     struct polylines lines;
+    struct figure_image image;
     struct drawing drawing;
 };
 
@@ -179,10 +178,23 @@ static bool carry_out(struct job *job, const struct settings *set, struct err *e
     return ok;
 }
 
+static bool read_image(struct job *job, const struct settings *set, struct err *err) {
+    const struct image_request request = {
+        .path = set->image, .page = 1, .max_pixels = IMAGE_PIXELS_DEFAULT};
+    struct image image;
+    bool ok = image_read(&image, &request, err);
+    if (!ok) return false;
+    ok = figure_image(&job->image, &image, set->has_frame ? set->frame : NULL, err);
+    image_free(&image);
+    return ok;
+}
+
 static bool gather(struct job *job, const struct settings *set, struct figure_content *content,
                    struct err *err) {
     if (set->lines && !polylines_read(&job->lines, set->lines, err)) return false;
     if (set->lines) content->lines = &job->lines;
+    if (set->image && !read_image(job, set, err)) return false;
+    if (set->image) content->image = &job->image;
     if (set->no_grid) return true;
     if (!grid_read(&job->grid, set->grid, err)) return false;
     content->spline = &job->grid.spline;
@@ -214,6 +226,7 @@ static void run(const struct settings *set, struct err *err) {
     (void)draw(&job, set, err);
     drawing_free(&job.drawing);
     polylines_free(&job.lines);
+    free(job.image.pixel);
     edit_trace_free(&job.trace);
     free(job.deformed.vertex);
     model_free(&job.model);

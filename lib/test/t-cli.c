@@ -122,6 +122,26 @@ static bool read_value(struct line *l, double *x, int64_t *n) {
     }
 }
 
+static void test_sets_of_names(void **unused) {
+    static const struct {
+        const char *line;
+        unsigned set; /* 0: refused */
+    } table[] = {{"-p hex", 4},           {"-p cross,diagonal", 3},
+                 {"-p hex,hex", 4},       {"-p hex,", 0},
+                 {"-p ,hex", 0},          {"-p he", 0},
+                 {"-p diagonal,hexx", 0}, {"-p diagonal,cross,hex", 7}};
+    (void)unused;
+    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+        struct line l;
+        unsigned set = 0;
+        start(&l, table[i].line);
+        assert_int_equal(next(&l), 'p');
+        assert_int_equal(cli_names(&l.cli, patterns, &set, &l.err), table[i].set != 0);
+        assert_int_equal(set, table[i].set);
+        if (set == 0) assert_non_null(strstr(l.err.message, "of diagonal, cross, hex, got '"));
+    }
+}
+
 static void test_values(void **unused) {
     struct line l;
     double x[4];
@@ -311,6 +331,7 @@ int main(void) {
         cmocka_unit_test(test_options_and_operands),
         cmocka_unit_test(test_misuse),
         cmocka_unit_test(test_values),
+        cmocka_unit_test(test_sets_of_names),
         cmocka_unit_test(test_bad_values),
         cmocka_unit_test(test_operand_counts),
         cmocka_unit_test(test_history),

@@ -157,6 +157,44 @@ static void silhouettes_turn_one_way(void **unused) {
     spline_free(&s);
 }
 
+/* ---- images ---- */
+
+static uint32_t shown(int channels, int alpha, bool straight, enum image_sample sample,
+                      const float *value, uint32_t which) {
+    struct image image = {.width = 2,
+                          .height = 1,
+                          .channels = channels,
+                          .alpha = alpha,
+                          .straight = straight,
+                          .sample = sample};
+    struct figure_image to;
+    struct err err;
+    uint32_t pixel;
+    assert_true(image_allocate(&image, &err));
+    memcpy(image.value, value, 2 * (size_t)channels * sizeof *value);
+    assert_true(figure_image(&to, &image, NULL, &err));
+    assert_true(to.frame[2] == 2 && to.frame[3] == 1);
+    pixel = to.pixel[which];
+    image_free(&image);
+    free(to.pixel);
+    return pixel;
+}
+
+static void images_become_colours(void **unused) {
+    (void)unused;
+    assert_int_equal(shown(1, -1, true, IMAGE_U8, (float[]){10, 20}, 1), 0x141414ff);
+    assert_int_equal(shown(3, -1, true, IMAGE_U8, (float[]){1, 2, 3, 255, 254, 253}, 1),
+                     0xfffefdff);
+    /* 16 bits, halves and floats are stretched; not-a-numbers are black */
+    assert_int_equal(shown(1, -1, true, IMAGE_U16, (float[]){100, 300}, 0), 0x000000ff);
+    assert_int_equal(shown(1, -1, true, IMAGE_U16, (float[]){100, 300}, 1), 0xffffffff);
+    assert_int_equal(shown(1, -1, true, IMAGE_FLOAT, (float[]){NAN, 3}, 0), 0x000000ff);
+    /* alpha last, straight or multiplied; alpha first */
+    assert_int_equal(shown(2, 1, true, IMAGE_U8, (float[]){9, 255, 60, 51}, 1), 0x3c3c3c33);
+    assert_int_equal(shown(2, 1, false, IMAGE_U8, (float[]){9, 255, 12, 51}, 1), 0x3c3c3c33);
+    assert_int_equal(shown(2, 0, true, IMAGE_U8, (float[]){255, 9, 51, 60}, 1), 0x3c3c3c33);
+}
+
 /* ---- edits ---- */
 
 static void a_trace_tells_what_moved(void **unused) {
@@ -268,6 +306,7 @@ int main(void) {
         cmocka_unit_test(corners_are_where_the_page_has_them),
         cmocka_unit_test(growth_covers_the_domain),
         cmocka_unit_test(silhouettes_turn_one_way),
+        cmocka_unit_test(images_become_colours),
         cmocka_unit_test(a_trace_tells_what_moved),
         cmocka_unit_test(traces_that_cannot_be),
         cmocka_unit_test(the_sets_of_an_edit_are_drawn),
