@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A sign is computed in doubles together with a bound of its error (the bound of predicate_side is
  * proved in the header, that of predicate_orient below). Only where the bound does not separate it
- * from zero, the same expression is evaluated in GMP rationals: every double is one. */
+ * from zero, the same expression is evaluated exactly: in GMP rationals, every double being one. */
 #include "predicate.h"
 
+#include "dd.h"
+
 #include <gmp.h>
+#include <stdbool.h>
 
 int64_t predicate_area2(const int32_t a[2], const int32_t b[2], const int32_t c[2]) {
     int64_t bx = (int64_t)b[0] - a[0], by = (int64_t)b[1] - a[1];
@@ -64,20 +67,48 @@ static void exact_product(mpq_t q, double p, double a, double r, double b) {
     mpq_clears(second, term, NULL);
 }
 
+/* Products l and r of two differences each, { subtrahend, minuend }: the sign of l - r. Of points
+ * on a common lattice, as those of images are, the differences are exact doubles, and the products
+ * of doubles have exact halves. False: they are not, or leave the range of that. */
+static bool compare_products(const double l[2][2], const double r[2][2], int *sign) {
+    struct dd difference[4], left, right;
+    for (int k = 0; k < 2; k++) {
+        difference[k] = dd_two_sum(l[k][1], -l[k][0]);
+        difference[2 + k] = dd_two_sum(r[k][1], -r[k][0]);
+    }
+    for (int k = 0; k < 4; k++) {
+        double size = fabs(difference[k].hi);
+        if (difference[k].lo != 0 || !(size == 0 || (size > 0x1p-400 && size < 0x1p+400)))
+            return false;
+    }
+    left = dd_two_prod(difference[0].hi, difference[1].hi);
+    right = dd_two_prod(difference[2].hi, difference[3].hi);
+    *sign = (left.hi > right.hi) - (left.hi < right.hi); /* rounding is monotone */
+    if (*sign == 0) *sign = (left.lo > right.lo) - (left.lo < right.lo);
+    return true;
+}
+
+static int compare_exactly(const double l[2][2], const double r[2][2]) {
+    mpq_t left, right;
+    int sign;
+    mpq_inits(left, right, NULL);
+    exact_product(left, l[0][1], l[0][0], l[1][1], l[1][0]);
+    exact_product(right, r[0][1], r[0][0], r[1][1], r[1][0]);
+    sign = mpq_cmp(left, right);
+    mpq_clears(left, right, NULL);
+    return (sign > 0) - (sign < 0);
+}
+
 /* det = (bx-ax)(cy-ay) - (by-ay)(cx-ax). The four differences carry a relative error u each, the
  * products and the last difference another: |error| <= 4u (|l| + |r|) to first order, plus half of
  * the least subnormal for a product that underflows. */
 int predicate_orient(const double a[2], const double b[2], const double c[2]) {
     double l = (b[0] - a[0]) * (c[1] - a[1]), r = (b[1] - a[1]) * (c[0] - a[0]);
     double det = l - r, bound = 0x1p-50 * (fabs(l) + fabs(r)) + 0x1p-1072;
-    mpq_t left, right;
+    const double left[2][2] = {{a[0], b[0]}, {a[1], c[1]}},
+                 right[2][2] = {{a[1], b[1]}, {a[0], c[0]}};
     int sign;
     if (det > bound) return 1;
     if (det < -bound) return -1;
-    mpq_inits(left, right, NULL);
-    exact_product(left, b[0], a[0], c[1], a[1]);
-    exact_product(right, b[1], a[1], c[0], a[0]);
-    sign = mpq_cmp(left, right);
-    mpq_clears(left, right, NULL);
-    return (sign > 0) - (sign < 0);
+    return compare_products(left, right, &sign) ? sign : compare_exactly(left, right);
 }

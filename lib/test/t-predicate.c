@@ -131,7 +131,12 @@ static void orient(void **unused) {
             a[k] = ldexp(random_unit(&s) - 0.5, exponent);
             b[k] = ldexp(random_unit(&s) - 0.5, exponent);
             if (random_in(&s, 0, 9) == 0) b[k] = a[k];
-            c[k] = ulps_away(a[k] + t * (b[k] - a[k]), random_in(&s, -2, 2));
+            if (i % 3 == 0) { /* on a lattice, as differences are exact */
+                a[k] = floor(ldexp(a[k], 20 - exponent));
+                b[k] = floor(ldexp(b[k], 20 - exponent));
+            }
+            c[k] =
+                ulps_away(a[k] + t * (b[k] - a[k]), random_in(&s, -2, 2) * random_in(&s, 0, i % 3));
         }
         int sign = exact_orient(a, b, c);
         check_seed(seed, predicate_orient(a, b, c) == sign);
