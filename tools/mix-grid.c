@@ -1,18 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* mix-grid - linear combinations of deformations on one domain. */
-#include "cli.h"
-#include "grid_io.h"
 #include "mem.h"
 #include "mix.h"
 #include "num.h"
+#include "result_options.h"
 
 #include <string.h>
 
-enum { KEY_DIGITS = 256 };
-
 static const struct cli_option options[] = {
-    {KEY_DIGITS, "digits", "N", "significant digits, 1 to 17 (default: shortest exact)"},
-    {'o', "output", "FILE", "write there instead of to stdout"},
+    RESULT_OPTIONS,
     {0},
 };
 
@@ -32,27 +28,13 @@ struct settings {
     size_t count;
     double *weight;
     const char **path;
-    int digits;
-    const char *output;
+    struct result_options result;
 };
 
-static bool parse_options(struct cli *cli, struct settings *set, struct err *err) {
-    int key;
-    while ((key = cli_next(cli, err)) >= 0) {
-        int64_t n;
-        if (key == 'o') {
-            set->output = cli->value;
-        } else {
-            if (!cli_int(cli, 1, 17, &n, err)) return false;
-            set->digits = (int)n;
-        }
-    }
-    return key != CLI_STOP;
-}
-
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
-    int standard = 0;
-    if (!parse_options(cli, set, err)) return false;
+    int standard = 0, key;
+    while ((key = cli_next(cli, err)) != CLI_END)
+        if (key == CLI_STOP || !result_option(&set->result, cli, key, err)) return false;
     set->count = (size_t)cli->operand_count / 2;
     if (cli->operand_count < 2 || cli->operand_count % 2 != 0)
         return err_set(err, ERR_USAGE,
@@ -93,20 +75,15 @@ static bool mix(const struct settings *set, struct grid_file *file, struct splin
 
 static bool run(const struct cli *cli, const struct settings *set, struct err *err) {
     struct grid_file *file = NULL, result = {0};
-    struct out out = {0};
-    char *history = cli_history(cli, err);
-    bool ok = history && mem_new(file, set->count, err) && mix(set, file, &result.spline, err) &&
-              out_open(&out, set->output, err);
+    bool ok = mem_new(file, set->count, err) && mix(set, file, &result.spline, err);
     if (ok) {
         result.history = file[0].history;
         file[0].history = NULL;
-        grid_write(&out, &result, history, set->digits);
-        ok = out_close(&out, err);
+        ok = result_write(&set->result, cli, &result, err);
     }
     for (size_t i = 0; file && i < set->count; i++) grid_file_free(&file[i]);
     free(file);
     grid_file_free(&result);
-    free(history);
     return ok;
 }
 

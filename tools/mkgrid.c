@@ -2,18 +2,15 @@
 /* mkgrid - makes a grid: on a rectangle, a polygon or an image, around a model or an outline, of
  * triangles. */
 #include "cli.h"
-#include "grid_io.h"
+#include "result_options.h"
 #include "source_options.h"
 
-#include <stdlib.h>
-
-enum { DIGITS = SOURCE_KEY_END, VERBOSE };
+enum { VERBOSE = SOURCE_KEY_END };
 
 static const struct cli_option options[] = {
     SOURCE_OPTIONS,
-    {DIGITS, "digits", "N", "significant digits, 1..17 (default: shortest exact)"},
     {VERBOSE, "verbose", NULL, "report the numbers of cells and points on stderr"},
-    {'o', "output", "FILE", "write to FILE instead of stdout"},
+    RESULT_OPTIONS,
     {0, NULL, NULL, NULL},
 };
 
@@ -29,20 +26,17 @@ static const struct cli_program program = {
 
 struct settings {
     struct source_options source;
-    int64_t digits;
+    struct result_options result;
     bool verbose;
-    const char *output;
 };
 
 static bool parse_one(const struct cli *cli, int key, struct settings *set, struct err *err) {
     switch (key) {
-    case DIGITS:
-        return cli_int(cli, 1, 17, &set->digits, err);
     case VERBOSE:
         return set->verbose = true;
+    case RESULT_DIGITS:
     case 'o':
-        set->output = cli->value;
-        return true;
+        return result_option(&set->result, cli, key, err);
     default:
         return source_option(&set->source, cli, key, err);
     }
@@ -66,19 +60,6 @@ static void report(const struct cli *cli, const struct grid *g, const struct sur
              g->triangle_count, g->point_count);
 }
 
-static bool print(const struct cli *cli, const struct settings *set, const struct grid_file *file,
-                  struct err *err) {
-    char *history = cli_history(cli, err);
-    struct out out;
-    bool ok = history && out_open(&out, set->output, err);
-    if (ok) {
-        grid_write(&out, file, history, (int)set->digits);
-        ok = out_close(&out, err);
-    }
-    free(history);
-    return ok;
-}
-
 static bool run(const struct cli *cli, const struct settings *set, struct err *err) {
     struct surround_report cells = {0};
     struct grid_file file = {0};
@@ -86,7 +67,8 @@ static bool run(const struct cli *cli, const struct settings *set, struct err *e
     bool ok = source_options_grid(&set->source, &g, &cells, err);
     if (ok && set->verbose) report(cli, &g, &cells);
     if (!ok) grid_free(&g);
-    ok = ok && spline_identity(&file.spline, &g, err) && print(cli, set, &file, err);
+    ok =
+        ok && spline_identity(&file.spline, &g, err) && result_write(&set->result, cli, &file, err);
     grid_file_free(&file);
     return ok;
 }

@@ -1,22 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* refine-grid - the same deformation on a finer grid, or of a higher degree. */
-#include "cli.h"
-#include "grid_io.h"
 #include "mem.h"
 #include "num.h"
 #include "refine.h"
+#include "result_options.h"
 
 #include <string.h>
 
-enum { KEY_TIMES = 256, KEY_TRIANGLES, KEY_BOX, KEY_DEGREE, KEY_DIGITS };
+enum { KEY_TIMES = 256, KEY_TRIANGLES, KEY_BOX, KEY_DEGREE };
 
 static const struct cli_option options[] = {
     {KEY_TIMES, "times", "N", "split N times (default 1, up to 24)"},
     {KEY_TRIANGLES, "triangles", "LIST", "only these triangles, as in 3,5-9"},
     {KEY_BOX, "box", "X0,Y0,X1,Y1", "only what meets this box of the domain"},
     {KEY_DEGREE, "degree", "D", "raise the degree instead"},
-    {KEY_DIGITS, "digits", "N", "significant digits, 1 to 17 (default: shortest exact)"},
-    {'o', "output", "FILE", "write there instead of to stdout"},
+    RESULT_OPTIONS,
     {0},
 };
 
@@ -35,8 +33,8 @@ struct settings {
     struct refine_request request;
     double box[4];
     const char *triangles;
-    int degree, digits;
-    const char *output;
+    int degree;
+    struct result_options result;
 };
 
 static bool set_option(struct cli *cli, int key, struct settings *set, struct err *err) {
@@ -60,12 +58,8 @@ static bool set_option(struct cli *cli, int key, struct settings *set, struct er
         ok = cli_int(cli, 1, GRID_DEGREE_MAX, &n, err);
         set->degree = (int)n;
         break;
-    case KEY_DIGITS:
-        ok = cli_int(cli, 1, 17, &n, err);
-        set->digits = (int)n;
-        break;
     default:
-        set->output = cli->value;
+        ok = result_option(&set->result, cli, key, err);
     }
     return ok;
 }
@@ -119,19 +113,15 @@ static bool refine(struct settings *set, const struct spline *s, struct spline *
 
 static bool run(const struct cli *cli, struct settings *set, struct err *err) {
     struct grid_file file = {0}, fine = {0};
-    struct out out = {0};
-    char *history = cli_history(cli, err);
-    bool ok = history && grid_read(&file, cli_operand(cli, 0), err) &&
-              refine(set, &file.spline, &fine.spline, err) && out_open(&out, set->output, err);
+    bool ok =
+        grid_read(&file, cli_operand(cli, 0), err) && refine(set, &file.spline, &fine.spline, err);
     if (ok) {
         fine.history = file.history;
         file.history = NULL;
-        grid_write(&out, &fine, history, set->digits);
-        ok = out_close(&out, err);
+        ok = result_write(&set->result, cli, &fine, err);
     }
     grid_file_free(&file);
     grid_file_free(&fine);
-    free(history);
     return ok;
 }
 

@@ -5,8 +5,6 @@
 #include "obj_copy.h"
 #include "obj_io.h"
 
-#include <string.h>
-
 static void check_model(const char *path) {
     struct model m;
     struct err err = {0};
@@ -36,24 +34,21 @@ static bool keep(void *context, size_t vertex, const double normal[3], double re
     return true;
 }
 
-/* The copy as text; NULL: the model was refused. */
-static char *copy(const char *path, enum obj_normal_mode mode, obj_turn *how, size_t *size) {
+/* The copy as text; none if the model was refused. */
+static struct fuzz_text copy(const char *path, enum obj_normal_mode mode, obj_turn *how) {
     struct filemap f = {0};
     struct obj_points p = {0};
     struct obj_normals plan = {0};
+    struct fuzz_text text = {0};
     struct err err = {0};
     struct out out;
-    char written[40], *text = NULL;
-    snprintf(written, sizeof written, "/tmp/supple-fuzz-%d", (int)getpid());
     INVARIANT(filemap_open(&f, path, &err));
     if (obj_points_read(&p, &f, &err) &&
         (mode == OBJ_NORMALS_TRANSFORM ? obj_normals_plan(&plan, &f, &p, how, NULL, &err)
                                        : obj_normals_check(&f, &err))) {
         struct obj_change change = {p.vertex, mode, &plan, 0};
-        INVARIANT(out_open(&out, written, &err));
+        fuzz_out(&out, &text);
         INVARIANT(obj_copy(&out, &f, &p, &change, &err) && out_close(&out, &err));
-        text = fuzz_read(written, size);
-        unlink(written);
     }
     obj_normals_free(&plan);
     obj_points_free(&p);
@@ -62,16 +57,12 @@ static char *copy(const char *path, enum obj_normal_mode mode, obj_turn *how, si
 }
 
 static void check_copies(const char *path, enum obj_normal_mode mode, obj_turn *how) {
-    size_t once_size, twice_size;
-    char *once = copy(path, mode, how, &once_size), *twice;
+    struct fuzz_text once = copy(path, mode, how);
     struct fuzz_file f;
-    if (!once) return;
-    f = fuzz_open(once, once_size);
-    twice = copy(f.path, mode, keep, &twice_size);
+    if (!once.bytes) return;
+    f = fuzz_open(once.bytes, once.size);
+    fuzz_expect_same(once, copy(f.path, mode, keep));
     close(f.fd);
-    INVARIANT(twice && once_size == twice_size && memcmp(once, twice, once_size) == 0);
-    free(once);
-    free(twice);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

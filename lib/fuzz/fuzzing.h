@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* fuzzing - the readers take paths, so the fuzzers lend them files that live in memory.
+/* fuzzing - the readers take paths, so the fuzzers lend them files that live in memory; what is
+ * written goes there, too.
  *
  * A fuzzer must survive any bytes without a sanitizer's complaint, and where a reader accepts them,
  * what is written from the result must be read again as the same. */
 #ifndef FUZZING_H
 #define FUZZING_H
 
-#include "err.h"
+#include "out.h"
 
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -30,19 +31,32 @@ static inline struct fuzz_file fuzz_open(const void *data, size_t size) {
     return f;
 }
 
-/* All bytes of a file, NUL behind them; free() them. */
-static inline char *fuzz_read(const char *path, size_t *size) {
-    FILE *file = fopen(path, "rb");
-    char *text;
-    long end;
-    INVARIANT(file && fseek(file, 0, SEEK_END) == 0);
-    end = ftell(file);
-    rewind(file);
-    text = calloc((size_t)end + 1, 1);
-    INVARIANT(text && fread(text, 1, (size_t)end, file) == (size_t)end);
-    fclose(file);
-    *size = (size_t)end;
-    return text;
+/* What was written, in memory; free() its bytes. NULL: nothing, as of an input that was refused. */
+struct fuzz_text {
+    char *bytes;
+    size_t size;
+};
+
+static inline void fuzz_append(void *context, const char *bytes, size_t length) {
+    struct fuzz_text *text = context;
+    text->bytes = realloc(text->bytes, text->size + length + 1);
+    INVARIANT(text->bytes);
+    memcpy(text->bytes + text->size, bytes, length);
+    text->size += length;
+}
+
+/* Opens an output that goes to *text, where all of it is after out_close. */
+static inline void fuzz_out(struct out *out, struct fuzz_text *text) {
+    struct err err = {0};
+    *text = (struct fuzz_text){0};
+    INVARIANT(out_open_sink(out, fuzz_append, text, &err));
+}
+
+/* Both were written, and are the same; frees them. */
+static inline void fuzz_expect_same(struct fuzz_text a, struct fuzz_text b) {
+    INVARIANT(a.bytes && b.bytes && a.size == b.size && memcmp(a.bytes, b.bytes, a.size) == 0);
+    free(a.bytes);
+    free(b.bytes);
 }
 
 #endif
