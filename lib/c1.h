@@ -73,6 +73,7 @@ struct c1_value {
     double sum;   /* of a q, in double-double, rounded once */
     double terms; /* sum |a| (extent + largest |q| of its points and all components) */
 };
+#define C1_RANGE 0x1p960 /* of |q| and extent: beyond, the products may overflow */
 struct c1_value c1_evaluate(const struct c1_condition *condition, const struct c1_field *field,
                             int c);
 

@@ -23,6 +23,7 @@
 #include "decles_suggest.h"
 #include "mem.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -32,6 +33,7 @@ struct decles_editor {
     double *weight; /* of each point; 0 stands for 1 */
     bool weighted;  /* there are others: else do not even look, the array is large */
     double max_gain, extent;
+    double range; /* of coordinates */
     /* lists, k columns each (but weights) */
     double *suggested, *before, *solution, *anchor_before, *weights;
     size_t cap_suggested, cap_before, cap_solution, cap_anchor_before, cap_weights;
@@ -49,6 +51,7 @@ struct decles_editor *decles_new(const struct grid *g, const struct decles_optio
     if (!mem_new(e, 1, err)) return NULL;
     e->max_gain = options->max_gain;
     e->extent = c1_extent(g);
+    e->range = smooth ? C1_RANGE : DBL_MAX;
     if (!decles_sets_init(&e->sets, g, smooth, err) || !decles_suggester_init(&e->suggester, err) ||
         !mem_new(e->weight, g->point_count, err)) {
         decles_free(e);
@@ -103,24 +106,26 @@ static bool make_room(struct decles_editor *e, size_t k, struct err *err) {
     return true;
 }
 
-static bool is_finite(const double *a, int k) {
-    return isfinite(a[0]) && (k == 1 || isfinite(a[1]));
+/* False, with a refusal, unless point p may go there. */
+static bool check_range(const struct decles_editor *e, uint32_t p, const double *to, int k,
+                        struct err *err) {
+    if (fabs(to[0]) <= e->range && (k == 1 || fabs(to[1]) <= e->range)) return true;
+    return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers, %.2g either way",
+                   p, e->range);
 }
 
-static bool out_of_range(uint32_t p, struct err *err) {
-    return err_set(err, ERR_REFUSAL, "point %u would leave the range of numbers", p);
-}
-
-static bool check_anchors(const struct decles_edit *edit, int k, struct err *err) {
+static bool check_anchors(const struct decles_editor *e, const struct decles_edit *edit, int k,
+                          struct err *err) {
     for (size_t i = 0; i < edit->anchor_count; i++)
-        if (!is_finite(edit->anchor[i].to, k)) return out_of_range(edit->anchor[i].point, err);
+        if (!check_range(e, edit->anchor[i].point, edit->anchor[i].to, k, err)) return false;
     return true;
 }
 
-static bool check_suggested(const struct decles_editor *e, int k, struct err *err) {
+/* Of positions for all of D. */
+static bool check_derived(const struct decles_editor *e, const double *list, int k,
+                          struct err *err) {
     for (size_t i = 0; i < e->sets.derived_count; i++)
-        if (!is_finite(e->suggested + i * (size_t)k, k))
-            return out_of_range(e->sets.derived[i], err);
+        if (!check_range(e, e->sets.derived[i], list + i * (size_t)k, k, err)) return false;
     return true;
 }
 
@@ -139,7 +144,7 @@ static bool suggest(struct decles_editor *e, const struct c1_field *v,
                     const struct decles_edit *edit, struct err *err) {
     if (!decles_suggest(&e->suggester, &e->sets, edit, v, e->suggested, err)) return false;
     if (edit->share > 0 && edit->share < 1) hold_back(e, v, edit->share);
-    return check_suggested(e, v->k, err);
+    return check_derived(e, e->suggested, v->k, err);
 }
 
 /* Steps 0 to 6: fills the suggestions and the solution. */
@@ -149,7 +154,7 @@ static bool solve(struct decles_editor *e, const struct c1_field *values,
     struct clsq_report solved = {0};
     struct decles_targets targets = {.k = values->k};
     double *fixed = NULL;
-    bool ok = decles_sets_begin(&e->sets, edit, err) && check_anchors(edit, values->k, err) &&
+    bool ok = decles_sets_begin(&e->sets, edit, err) && check_anchors(e, edit, values->k, err) &&
               decles_close(&e->sets, edit, values, &rows, &report->added, err) &&
               make_room(e, (size_t)values->k, err) && suggest(e, values, edit, err) &&
               decles_fixed_values(&e->sets, edit, values, &fixed, err);
@@ -157,7 +162,8 @@ static bool solve(struct decles_editor *e, const struct c1_field *values,
         targets.suggested = e->suggested;
         targets.weight = e->weights;
         targets.fixed = fixed;
-        ok = decles_solve(&e->sets, &rows, &targets, e->solution, &solved, err);
+        ok = decles_solve(&e->sets, &rows, &targets, e->solution, &solved, err) &&
+             check_derived(e, e->solution, values->k, err);
     }
     report->rank = rows.rank;
     report->redundant = rows.relation_count;

@@ -165,12 +165,25 @@ static bool refuse(const struct sums *s, const struct decles_sets *sets,
     return err_set(err, ERR_REFUSAL, "%s", t.buffer);
 }
 
+/* False, with a refusal, if a point of the condition is so far away that it cannot be evaluated. */
+static bool check_range(const struct c1_condition *row, const struct c1_field *values,
+                        struct err *err) {
+    for (int j = 0; j < 4; j++)
+        for (int c = 0; c < values->k; c++)
+            if (!(fabs(values->q[values->stride * row->point[j] + (size_t)c]) <= C1_RANGE))
+                return err_set(err, ERR_REFUSAL,
+                               "point %u lies beyond the range of numbers, %.2g either way",
+                               row->point[j], C1_RANGE);
+    return true;
+}
+
 bool decles_check(const struct decles_sets *sets, const struct c1_field *values, struct err *err) {
     for (size_t r = 0; r < sets->condition_count; r++)
         for (int c = 0; c < values->k; c++) {
             struct c1_value value = c1_evaluate(&sets->row[r], values, c);
             uint64_t e = sets->condition[r] / (uint64_t)sets->grid->degree;
             if (c1_holds(value)) continue;
+            if (!check_range(&sets->row[r], values, err)) return false;
             return err_set(err, ERR_REFUSAL,
                            "the spline is not C1 across the edge %u-%u: a condition is off by %.2g "
                            "of its terms",

@@ -2,7 +2,8 @@
 /* filemap - a whole input as one piece of read-only memory, so that it can be read twice.
  *
  * A regular file is mapped; anything else (a pipe, a terminal) is first copied to a temporary file
- * in $TMPDIR or /tmp that has no name any more. Private memory is O(1) in either case. */
+ * in $TMPDIR or /tmp that has no name any more. Private memory is O(1) in either case. Copies have
+ * no limit but the room there. Whoever truncates a mapped file makes its readers die of SIGBUS. */
 #ifndef FILEMAP_H
 #define FILEMAP_H
 

@@ -353,7 +353,15 @@ static void refused_at_once(void **state) {
     editing_end(&s);
 }
 
-/* Beyond the largest double: an anchor, a suggested position, the conditions' own sums. */
+static void move_all(struct group *b, const struct editing *s, double dx) {
+    uint32_t all[400];
+    for (uint32_t p = 0; p < s->g.point_count; p++) all[p % 400] = p;
+    fill_group(b, s, all, s->g.point_count);
+    for (uint32_t p = 0; p < s->g.point_count; p++) b->anchor[p].to[0] = s->q[2 * p] + dx;
+}
+
+/* Beyond the largest double: an anchor, a suggested position. With conditions their sums are the
+ * limit, also for points that all move alike. */
 static void huge_numbers(void **state) {
     (void)state;
     for (int continuity = 0; continuity <= 1; continuity++) {
@@ -365,7 +373,10 @@ static void huge_numbers(void **state) {
         fill_group(&b, &s, (uint32_t[]){0}, 1);
         b.anchor[0].to[0] = INFINITY;
         assert_false(editing_apply(&s, &b.edit, 2));
-        assert_string_equal(s.err.message, "point 0 would leave the range of numbers");
+        assert_string_equal(s.err.message,
+                            continuity == 0
+                                ? "point 0 would leave the range of numbers, 1.8e+308 either way"
+                                : "point 0 would leave the range of numbers, 9.7e+288 either way");
         fill_group(&b, &s, (uint32_t[]){0}, 1);
         b.edit.slave_count = 1;
         b.edit.slave = (uint32_t[]){1};
@@ -377,6 +388,14 @@ static void huge_numbers(void **state) {
         fill_group(&b, &s, (uint32_t[]){0}, 1);
         b.anchor[0].to[0] = DBL_MAX;
         assert_true(editing_apply(&s, &b.edit, 2) == (continuity == 0));
+        for (int e = 959; continuity == 1 && e <= 961; e += 2) {
+            move_all(&b, &s, ldexp(1, e));
+            assert_true(editing_apply(&s, &b.edit, 2) == (e == 959));
+            if (e == 959)
+                editing_undo(&s);
+            else
+                assert_non_null(strstr(s.err.message, "would leave the range of numbers"));
+        }
         editing_end(&s);
     }
 }
