@@ -8,6 +8,7 @@
 #include <stdint.h>
 
 #define POLYLINES_NO_NAME UINT32_MAX
+enum { POLYLINES_NAMES_MAX = 256 };
 
 struct polylines { /* arrays from mem.h */
     size_t line_count, point_count, name_count;
@@ -18,5 +19,25 @@ struct polylines { /* arrays from mem.h */
     char **name;        /* different labels that are no numbers, in order of appearance */
     double range[2];    /* of all values */
 };
+
+/* Makes them: lines one after the other, each labelled and then given its points. Zeroed but for p,
+ * which is zeroed as well. */
+struct polylines_maker {
+    struct polylines *p;
+    /* private */
+    size_t point_cap, start_cap, name_of_cap, value_cap, name_cap;
+};
+
+/* Begins a line that is labelled by a number; one of at least one point. */
+bool polylines_number(struct polylines_maker *m, double label, struct err *err) WARN_UNUSED;
+
+/* Begins a line that is labelled by a word, no number. Refuses the 257th different one. */
+bool polylines_word(struct polylines_maker *m, const char *word, size_t length,
+                    struct err *err) WARN_UNUSED;
+bool polylines_point(struct polylines_maker *m, const double p[2], struct err *err) WARN_UNUSED;
+
+/* To be called after the last one; there is a line. */
+void polylines_end(struct polylines_maker *m);
+void polylines_free(struct polylines *p); /* harmless on a zeroed struct */
 
 #endif

@@ -1,36 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "polylines_io.h"
 
-#include "mem.h"
 #include "num.h"
 #include "src.h"
 
-#include <math.h>
-#include <string.h>
-
 struct reader {
     struct src src;
-    struct polylines *p;
-    size_t point_cap, start_cap, name_of_cap, value_cap, name_cap;
+    struct polylines_maker maker;
     bool open; /* a polyline has begun */
 };
-
-static bool find_name(struct reader *r, const char *word, size_t length, uint32_t *index) {
-    struct polylines *p = r->p;
-    for (size_t i = 0; i < p->name_count; i++)
-        if (strlen(p->name[i]) == length && memcmp(p->name[i], word, length) == 0) {
-            *index = (uint32_t)i;
-            return true;
-        }
-    if (p->name_count == POLYLINES_NAMES_MAX)
-        return src_fail(&r->src, word, "more than %d different labels", POLYLINES_NAMES_MAX);
-    if (!mem_grow(p->name, &r->name_cap, p->name_count + 1, &r->src.err)) return false;
-    p->name[p->name_count] = mem_alloc(length + 1, 1, &r->src.err);
-    if (!p->name[p->name_count]) return false;
-    memcpy(p->name[p->name_count], word, length);
-    *index = (uint32_t)p->name_count++;
-    return true;
-}
 
 static bool is_number(const char *word, size_t length, double *x) {
     const char *next;
@@ -39,38 +17,22 @@ static bool is_number(const char *word, size_t length, double *x) {
 
 /* The label is what follows the coordinates, if anything does. */
 static bool begin_line(struct reader *r) {
-    struct polylines *p = r->p;
     struct src *src = &r->src;
+    struct err err = {0};
     const char *word;
-    size_t length, l = p->line_count;
-    if (!mem_grow(p->start, &r->start_cap, l + 2, &src->err) ||
-        !mem_grow(p->name_of, &r->name_of_cap, l + 1, &src->err) ||
-        !mem_grow(p->value, &r->value_cap, l + 1, &src->err))
-        return false;
-    p->start[l] = p->point_count - 1;
-    p->name_of[l] = POLYLINES_NO_NAME;
-    p->value[l] = 0;
-    if (src_word(src, &word, &length) && !is_number(word, length, &p->value[l]) &&
-        !find_name(r, word, length, &p->name_of[l]))
-        return false;
-    if (p->name_of[l] == POLYLINES_NO_NAME) {
-        p->range[0] = fmin(p->range[0], p->value[l]);
-        p->range[1] = fmax(p->range[1], p->value[l]);
-    }
-    p->line_count++;
+    size_t length;
+    double value = 0;
     r->open = true;
-    return true;
+    if (!src_word(src, &word, &length) || is_number(word, length, &value))
+        return polylines_number(&r->maker, value, &src->err);
+    return polylines_word(&r->maker, word, length, &err) || src_fail(src, word, "%s", err.message);
 }
 
 static bool read_point(struct reader *r) {
-    struct polylines *p = r->p;
     struct src *src = &r->src;
-    if (!mem_grow(p->point, &r->point_cap, p->point_count + 1, &src->err) ||
-        !src_double(src, "x", &p->point[p->point_count][0]) ||
-        !src_double(src, "y", &p->point[p->point_count][1]))
-        return false;
-    p->point_count++;
-    return r->open || begin_line(r);
+    double p[2];
+    return src_double(src, "x", &p[0]) && src_double(src, "y", &p[1]) &&
+           (r->open || begin_line(r)) && polylines_point(&r->maker, p, &src->err);
 }
 
 static bool read_all(struct reader *r) {
@@ -85,15 +47,15 @@ static bool read_all(struct reader *r) {
             r->open = false;
     }
     if (src->err.kind) return false;
-    if (r->p->point_count == 0) return src_expected(src, "a point");
-    r->p->start[r->p->line_count] = r->p->point_count;
+    if (r->maker.p->point_count == 0) return src_expected(src, "a point");
+    polylines_end(&r->maker);
     return true;
 }
 
 bool polylines_read(struct polylines *p, const char *path, struct err *err) {
-    struct reader r = {.p = p};
+    struct reader r = {.maker = {.p = p}};
     bool ok;
-    *p = (struct polylines){.range = {INFINITY, -INFINITY}};
+    *p = (struct polylines){0};
     if (!src_open(&r.src, path, err)) return false;
     ok = read_all(&r);
     if (!ok) {
@@ -104,12 +66,19 @@ bool polylines_read(struct polylines *p, const char *path, struct err *err) {
     return ok;
 }
 
-void polylines_free(struct polylines *p) {
-    for (size_t i = 0; i < p->name_count; i++) free(p->name[i]);
-    free(p->name);
-    free(p->start);
-    free(p->point);
-    free(p->name_of);
-    free(p->value);
-    *p = (struct polylines){0};
+void polylines_write(struct out *out, const struct polylines *p, int digits) {
+    for (size_t l = 0; l < p->line_count; l++) {
+        if (l > 0) out_char(out, '\n');
+        for (size_t i = p->start[l]; i < p->start[l + 1]; i++) {
+            out_double(out, p->point[i][0], digits);
+            out_char(out, ' ');
+            out_double(out, p->point[i][1], digits);
+            out_char(out, ' ');
+            if (p->name_of[l] == POLYLINES_NO_NAME)
+                out_double(out, p->value[l], digits);
+            else
+                out_text(out, p->name[p->name_of[l]]);
+            out_char(out, '\n');
+        }
+    }
 }

@@ -4,13 +4,14 @@
 #ifndef POLYLINES_IO_H
 #define POLYLINES_IO_H
 
+#include "out.h"
 #include "polylines.h"
-
-enum { POLYLINES_NAMES_MAX = 256 };
 
 /* Reads path (NULL or "-": stdin); there must be a point. Further columns are ignored. Errors:
  * file:LINE:COL; more than POLYLINES_NAMES_MAX different words. O(text). */
 bool polylines_read(struct polylines *p, const char *path, struct err *err) WARN_UNUSED;
-void polylines_free(struct polylines *p); /* harmless on a zeroed struct */
+
+/* Writes them, every point with the label of its line; digits as in num_print. */
+void polylines_write(struct out *out, const struct polylines *p, int digits);
 
 #endif
