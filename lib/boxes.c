@@ -26,17 +26,10 @@ static bool is_leaf(const struct node *n) {
     return n->to - n->from == 1;
 }
 
-static void enlarge(struct box *a, const struct box *b) {
-    for (int c = 0; c < 2; c++) {
-        a->lo[c] = b->lo[c] < a->lo[c] ? b->lo[c] : a->lo[c];
-        a->hi[c] = b->hi[c] > a->hi[c] ? b->hi[c] : a->hi[c];
-    }
-}
-
 struct box box_of_points(uint32_t n, const double (*point)[2]) {
     struct box all = {{point[0][0], point[0][1]}, {point[0][0], point[0][1]}};
     for (uint32_t i = 1; i < n; i++)
-        enlarge(&all, &(struct box){{point[i][0], point[i][1]}, {point[i][0], point[i][1]}});
+        box_enlarge(&all, &(struct box){{point[i][0], point[i][1]}, {point[i][0], point[i][1]}});
     return all;
 }
 
@@ -73,7 +66,7 @@ static void fill(struct boxes *b, const struct node *n, const struct box *box) {
         if (h == 0)
             *own = b->node[half.number];
         else
-            enlarge(own, &b->node[half.number]);
+            box_enlarge(own, &b->node[half.number]);
     }
 }
 
@@ -81,7 +74,7 @@ static bool sort(struct boxes *b, const struct box *box, struct err *err) {
     struct radix_item *items = NULL, *spare = NULL;
     struct box all = box[0];
     bool ok = mem_new(items, b->count, err) && mem_new(spare, b->count, err);
-    for (uint32_t i = 1; i < b->count; i++) enlarge(&all, &box[i]);
+    for (uint32_t i = 1; i < b->count; i++) box_enlarge(&all, &box[i]);
     for (uint32_t i = 0; ok && i < b->count; i++)
         items[i] = (struct radix_item){key_of(&box[i], &all), i};
     if (ok) radix_sort(items, spare, b->count);

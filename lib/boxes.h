@@ -25,6 +25,14 @@ static inline bool box_meets(const struct box *a, const struct box *b) {
            b->lo[1] <= a->hi[1];
 }
 
+/* Makes a hold b. */
+static inline void box_enlarge(struct box *a, const struct box *b) {
+    for (int c = 0; c < 2; c++) {
+        a->lo[c] = b->lo[c] < a->lo[c] ? b->lo[c] : a->lo[c];
+        a->hi[c] = b->hi[c] > a->hi[c] ? b->hi[c] : a->hi[c];
+    }
+}
+
 struct boxes {
     uint32_t count;
     uint32_t *item;   /* leaves, in order */

@@ -215,18 +215,25 @@ static void add_residual(const struct c1_condition *condition, struct c1_value v
     *edge = e;
 }
 
+bool c1_edge(const struct grid *g, uint32_t e, const struct c1_field *field, double *absolute,
+             double *relative, uint32_t *edge) {
+    bool holds = true;
+    if (*edge == GRID_NONE) *edge = e;
+    for (int m = 0; m < g->degree; m++) {
+        struct c1_condition condition = c1_condition(g, e, m);
+        for (int c = 0; c < field->k; c++) {
+            struct c1_value value = c1_evaluate(&condition, field, c);
+            holds = holds && c1_holds(value);
+            add_residual(&condition, value, e, absolute, relative, edge);
+        }
+    }
+    return holds;
+}
+
 void c1_residual(const struct grid *g, const struct c1_field *field, double *absolute,
                  double *relative, uint32_t *edge) {
     *absolute = *relative = 0;
     *edge = GRID_NONE;
-    for (uint32_t e = 0; e < g->edge_count; e++) {
-        if (!grid_edge_is_inner(g, e)) continue;
-        if (*edge == GRID_NONE) *edge = e;
-        for (int m = 0; m < g->degree; m++) {
-            struct c1_condition condition = c1_condition(g, e, m);
-            for (int c = 0; c < field->k; c++)
-                add_residual(&condition, c1_evaluate(&condition, field, c), e, absolute, relative,
-                             edge);
-        }
-    }
+    for (uint32_t e = 0; e < g->edge_count; e++)
+        if (grid_edge_is_inner(g, e)) (void)c1_edge(g, e, field, absolute, relative, edge);
 }

@@ -101,4 +101,9 @@ size_t c1_rank_formula(const struct grid *g);
 void c1_residual(const struct grid *g, const struct c1_field *field, double *absolute,
                  double *relative, uint32_t *edge);
 
+/* Adds what the inner edge e has to these, which begin as 0, 0, GRID_NONE; returns whether all its
+ * conditions hold. */
+bool c1_edge(const struct grid *g, uint32_t e, const struct c1_field *field, double *absolute,
+             double *relative, uint32_t *edge);
+
 #endif

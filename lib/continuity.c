@@ -5,8 +5,8 @@
  *
  *         u0          rows of u: weight i = 0..n against u0, i.e. d - i + 1 points from a to b
  *       . . .  i = 2
- *      . . . .  1
- *   a . . . . .  0 b
+ *      . . . .  1     When row n joins in, row n - 1 takes its first round, row n - 2 its second,
+ * ... a . . . . .  0 b  and row 0 its nth; so no row is looked at before its order is reached.
  */
 #include "continuity.h"
 
@@ -55,27 +55,23 @@ struct row {
     double value[ROW], terms[ROW];
 };
 
-static void load(const struct spline *s, const struct side *u, int c, double extent,
-                 struct row rows[ROW]) {
-    for (int i = 0; i <= s->grid.degree; i++)
-        for (int k = 0; k <= s->grid.degree - i; k++) {
-            uint32_t p = point_of(&s->grid, u, i, k);
-            double most = 0;
-            for (int m = c & ~1; m <= (c | 1); m++) most = fmax(most, fabs(component(s, p, m)));
-            rows[i].value[k] = component(s, p, c);
-            rows[i].terms[k] = extent + most;
-        }
+static void load(const struct spline *s, const struct side *u, int c, double extent, int i,
+                 struct row *row) {
+    for (int k = 0; k <= s->grid.degree - i; k++) {
+        uint32_t p = point_of(&s->grid, u, i, k);
+        double x = fabs(component(s, p, c & ~1)), y = fabs(component(s, p, c | 1));
+        row->value[k] = component(s, p, c);
+        row->terms[k] = extent + (x > y ? x : y);
+    }
 }
 
-/* One round: row i from the rows i and i + 1. */
-static void round_of(int d, const double b[3], struct row rows[ROW]) {
-    for (int i = 0; i < d; i++)
-        for (int k = 0; k < d - i; k++) {
-            rows[i].value[k] =
-                b[0] * rows[i + 1].value[k] + b[1] * rows[i].value[k] + b[2] * rows[i].value[k + 1];
-            rows[i].terms[k] = fabs(b[0]) * rows[i + 1].terms[k] + fabs(b[1]) * rows[i].terms[k] +
-                               fabs(b[2]) * rows[i].terms[k + 1];
-        }
+/* One round: n points of row i from the rows i and i + 1. */
+static void round_of(int n, const double b[3], struct row *row, const struct row *above) {
+    for (int k = 0; k < n; k++) {
+        row->value[k] = b[0] * above->value[k] + b[1] * row->value[k] + b[2] * row->value[k + 1];
+        row->terms[k] = fabs(b[0]) * above->terms[k] + fabs(b[1]) * row->terms[k] +
+                        fabs(b[2]) * row->terms[k + 1];
+    }
 }
 
 static void coordinates(const struct grid *g, const struct side *u, const struct side *v,
@@ -92,13 +88,14 @@ static void coordinates(const struct grid *g, const struct side *u, const struct
 /* Largest order <= most of component c. */
 static int order_of(const struct spline *s, const struct side *u, const struct side *v, int c,
                     double extent, int most) {
-    struct row rows[ROW] = {0};
+    struct row rows[ROW];
     double b[3];
     int d = s->grid.degree;
     coordinates(&s->grid, u, v, b);
-    load(s, u, c, extent, rows);
+    load(s, u, c, extent, 0, &rows[0]);
     for (int n = 1; n <= most; n++) {
-        round_of(d - n + 1, b, rows);
+        load(s, u, c, extent, n, &rows[n]);
+        for (int i = n - 1; i >= 0; i--) round_of(d - n + 1, b, &rows[i], &rows[i + 1]);
         for (int k = 0; n > 1 && k <= d - n; k++) {
             double own = component(s, point_of(&s->grid, v, n, k), c);
             double terms = rows[0].terms[k] + extent + fabs(own);
@@ -108,35 +105,40 @@ static int order_of(const struct spline *s, const struct side *u, const struct s
     return most;
 }
 
-static bool is_c1(const struct spline *s, uint32_t e, double extent) {
-    struct c1_field field[] = {{&s->phi[0][0], 2, 2, extent},
-                               {s->sigma ? &s->sigma[0][0] : NULL, 2, 2, extent}};
-    for (int m = 0; m < s->grid.degree; m++) {
-        struct c1_condition condition = c1_condition(&s->grid, e, m);
-        for (int c = 0; c < (s->sigma ? 4 : 2); c++)
-            if (!c1_holds(c1_evaluate(&condition, &field[c / 2], c % 2))) return false;
-    }
-    return true;
+/* The largest residuals of phi and sigma, each, as c1_edge adds them up. */
+struct residuals {
+    struct c1_field field;
+    double absolute, relative;
+    uint32_t edge;
+};
+
+static int residuals_begin(const struct spline *s, double extent, struct residuals r[2]) {
+    r[0] = (struct residuals){{&s->phi[0][0], 2, 2, extent}, 0, 0, GRID_NONE};
+    if (!s->sigma) return 1;
+    r[1] = (struct residuals){{&s->sigma[0][0], 2, 2, extent}, 0, 0, GRID_NONE};
+    return 2;
 }
 
-int continuity_order(const struct spline *s, uint32_t e, double extent) {
+static bool add_edge(const struct grid *g, uint32_t e, int fields, struct residuals r[2]) {
+    bool holds = true;
+    for (int i = 0; i < fields; i++)
+        holds &= c1_edge(g, e, &r[i].field, &r[i].absolute, &r[i].relative, &r[i].edge);
+    return holds;
+}
+
+/* Across an edge that is C1. */
+static int order_beyond(const struct spline *s, uint32_t e, double extent) {
     struct side v = side_of(&s->grid, e, 1), u = side_of(&s->grid, e, 0);
     int order = s->grid.degree;
-    if (!is_c1(s, e, extent)) return 0;
     for (int c = 0; c < (s->sigma ? 4 : 2) && order > 1; c++)
         order = order_of(s, &u, &v, c, extent, order);
     return order;
 }
 
-static void add_residuals(struct continuity *c, const struct grid *g, double *q, double extent) {
-    struct c1_field field = {q, 2, 2, extent};
-    double absolute, relative;
-    uint32_t edge;
-    c1_residual(g, &field, &absolute, &relative, &edge);
-    if (absolute > c->absolute || isnan(absolute)) c->absolute = absolute;
-    if (relative <= c->relative && c->worst != GRID_NONE) return;
-    c->relative = relative;
-    c->worst = edge;
+int continuity_order(const struct spline *s, uint32_t e, double extent) {
+    struct residuals r[2];
+    int fields = residuals_begin(s, extent, r);
+    return add_edge(&s->grid, e, fields, r) ? order_beyond(s, e, extent) : 0;
 }
 
 /* All conditions of order 1 as rows over the control points; coefficients that are 0 left out. */
@@ -178,13 +180,19 @@ static bool count_rank(struct continuity *c, const struct grid *g, struct err *e
 bool continuity_survey(struct continuity *c, const struct spline *s, struct err *err) {
     const struct grid *g = &s->grid;
     double extent = c1_extent(g);
+    struct residuals r[2];
+    int fields = residuals_begin(s, extent, r);
     *c = (struct continuity){.worst = GRID_NONE};
     for (uint32_t e = 0; e < g->edge_count; e++) {
         if (!grid_edge_is_inner(g, e)) continue;
         c->conditions += (size_t)g->degree;
-        c->edges[continuity_order(s, e, extent)]++;
+        c->edges[add_edge(g, e, fields, r) ? order_beyond(s, e, extent) : 0]++;
     }
-    add_residuals(c, g, &s->phi[0][0], extent);
-    if (s->sigma) add_residuals(c, g, &s->sigma[0][0], extent);
+    for (int i = 0; i < fields; i++) {
+        if (r[i].absolute > c->absolute || isnan(r[i].absolute)) c->absolute = r[i].absolute;
+        if (i > 0 && r[i].relative <= c->relative) continue;
+        c->relative = r[i].relative;
+        c->worst = r[i].edge;
+    }
     return count_rank(c, g, err);
 }

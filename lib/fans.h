@@ -10,8 +10,8 @@
  * although all its triangles are positive. Around a boundary vertex the sectors are disjoint if the
  * sum is less than 360 degrees, and overlap if it is more.
  *
- * The sum passes a multiple of 360 degrees where a sector i >= 1 has e_0 in the half-open cone
- * (e_i, e_i+1]; such sectors are counted, with exact signs. */
+ * The sum is a number of turns, counted where directions pass that of the x axis, and the angle
+ * from e_0 to e_m; all signs are exact. */
 #ifndef FANS_H
 #define FANS_H
 

@@ -20,7 +20,8 @@ struct nesting {
     uint32_t triangle; /* ... this triangle, of another component */
 };
 
-/* O(c log n + c sqrt n) for c components and n arcs that are spread evenly. */
+/* O(n + c log c) for c components and n arcs; for components within the box of another one, that
+ * lie evenly, another O(sqrt n) each. */
 bool nesting_survey(struct nesting *n, const struct boundary *b, struct err *err) WARN_UNUSED;
 
 #endif

@@ -47,7 +47,8 @@ bool topology_survey(struct topology *t, const struct grid *g, struct err *err) 
     return true;
 }
 
-bool topology_components(const struct grid *g, uint32_t *component, struct err *err) {
+bool topology_components(const struct grid *g, uint32_t *component, uint32_t *count,
+                         struct err *err) {
     uint32_t *parent, n = 0;
     if (!mem_new(parent, g->vertex_count, err)) return false;
     (void)count_sets(g, parent, false);
@@ -57,6 +58,7 @@ bool topology_components(const struct grid *g, uint32_t *component, struct err *
         if (component[root] == GRID_NONE) component[root] = n++;
         component[v] = component[root];
     }
+    *count = n;
     free(parent);
     return true;
 }

@@ -13,7 +13,8 @@ struct topology {
 
 bool topology_survey(struct topology *t, const struct grid *g, struct err *err) WARN_UNUSED;
 
-/* component[v], from 0, by the lowest vertex of each. */
-bool topology_components(const struct grid *g, uint32_t *component, struct err *err) WARN_UNUSED;
+/* component[v], from 0, by the lowest vertex of each; *count of them. */
+bool topology_components(const struct grid *g, uint32_t *component, uint32_t *count,
+                         struct err *err) WARN_UNUSED;
 
 #endif
