@@ -62,6 +62,7 @@ static bool touch(struct foldfree *f, uint32_t p, struct err *err) {
 }
 
 bool foldfree_touch(struct foldfree *f, const uint32_t *points, size_t n, struct err *err) {
+    if (n == 0) return true; /* and perhaps no list */
     if (!mem_grow(f->point, &f->point_cap, f->point_count + n, err)) return false;
     memcpy(f->point + f->point_count, points, n * sizeof *points);
     f->point_count += n;
