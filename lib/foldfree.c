@@ -11,12 +11,12 @@
 
 struct foldfree {
     const struct spline *now;
-    struct spline before; /* the same grid; phi and sigma of our own */
+    struct spline before; /* the same grid; control points of our own, set where touched */
     double margin;
     struct least_room *room;
-    bool *touched; /* of each triangle; false between edits */
-    uint32_t *triangle, *point;
-    size_t triangle_count, point_count, triangle_cap, point_cap;
+    bool *touched; /* of each triangle */
+    uint32_t *triangle;
+    size_t count, cap;
 };
 
 struct foldfree *foldfree_new(const struct spline *s, double margin, struct err *err) {
@@ -31,8 +31,6 @@ struct foldfree *foldfree_new(const struct spline *s, double margin, struct err 
         foldfree_free(f);
         return NULL;
     }
-    memcpy(f->before.phi, s->phi, n * sizeof *s->phi);
-    if (s->sigma) memcpy(f->before.sigma, s->sigma, n * sizeof *s->sigma);
     return f;
 }
 
@@ -42,48 +40,47 @@ void foldfree_free(struct foldfree *f) {
     free(f->before.sigma);
     free(f->touched);
     free(f->triangle);
-    free(f->point);
     least_room_free(f->room);
     free(f);
 }
 
 /* ---- what an edit touches ---- */
 
-static bool touch(struct foldfree *f, uint32_t p, struct err *err) {
-    uint32_t single, n;
-    const uint32_t *t = grid_triangles_of(&f->now->grid, p, &single, &n);
-    if (!mem_grow(f->triangle, &f->triangle_cap, f->triangle_count + n, err)) return false;
-    for (uint32_t i = 0; i < n; i++) {
-        if (f->touched[t[i]]) continue;
-        f->touched[t[i]] = true;
-        f->triangle[f->triangle_count++] = t[i];
+void foldfree_begin(struct foldfree *f) {
+    while (f->count > 0) f->touched[f->triangle[--f->count]] = false;
+}
+
+static void copy_patch(struct foldfree *f, uint32_t t) {
+    const struct spline *s = f->now;
+    uint32_t q[GRID_PATCH_MAX];
+    grid_patch(&s->grid, t, q);
+    for (int i = 0; i < grid_patch_size(s->grid.degree); i++) {
+        memcpy(f->before.phi[q[i]], s->phi[q[i]], sizeof *s->phi);
+        if (s->sigma) memcpy(f->before.sigma[q[i]], s->sigma[q[i]], sizeof *s->sigma);
     }
-    return true;
 }
 
 bool foldfree_touch(struct foldfree *f, const uint32_t *points, size_t n, struct err *err) {
-    if (n == 0) return true; /* and perhaps no list */
-    if (!mem_grow(f->point, &f->point_cap, f->point_count + n, err)) return false;
-    memcpy(f->point + f->point_count, points, n * sizeof *points);
-    f->point_count += n;
-    for (size_t i = 0; i < n; i++)
-        if (!touch(f, points[i], err)) return false;
+    for (size_t i = 0; i < n; i++) {
+        uint32_t single, m;
+        const uint32_t *t = grid_triangles_of(&f->now->grid, points[i], &single, &m);
+        if (!mem_grow(f->triangle, &f->cap, f->count + m, err)) return false;
+        for (uint32_t j = 0; j < m; j++) {
+            if (f->touched[t[j]]) continue;
+            f->touched[t[j]] = true;
+            f->triangle[f->count++] = t[j];
+            copy_patch(f, t[j]);
+        }
+    }
     return true;
 }
 
-void foldfree_reject(struct foldfree *f) {
-    for (size_t i = 0; i < f->triangle_count; i++) f->touched[f->triangle[i]] = false;
-    f->triangle_count = f->point_count = 0;
-}
-
-void foldfree_accept(struct foldfree *f) {
-    const struct spline *s = f->now;
-    for (size_t i = 0; i < f->point_count; i++) {
-        uint32_t p = f->point[i];
-        memcpy(f->before.phi[p], s->phi[p], sizeof *s->phi);
-        if (s->sigma) memcpy(f->before.sigma[p], s->sigma[p], sizeof *s->sigma);
-    }
-    foldfree_reject(f);
+void foldfree_was(struct foldfree *f, enum foldfree_component c, uint32_t point,
+                  const double *from) {
+    if (c == FOLDFREE_PHI)
+        memcpy(f->before.phi[point], from, sizeof *f->before.phi);
+    else
+        f->before.sigma[point][c - FOLDFREE_BOTTOM] = *from;
 }
 
 /* ---- what is said of a triangle that is not above the margin ---- */
@@ -169,7 +166,7 @@ bool foldfree_check(const struct foldfree *f, struct err *err) {
     struct least_place place;
     bool ok = true;
     least_place_init(&place);
-    for (size_t i = 0; ok && i < f->triangle_count * (size_t)kinds(f); i++) {
+    for (size_t i = 0; ok && i < f->count * (size_t)kinds(f); i++) {
         enum jacobian_verdict verdict;
         path_of(f, i, &path);
         ok = jacobian_path_sign(&path, f->room, 1, 1, &verdict, &place, err) &&
@@ -185,7 +182,7 @@ bool foldfree_find_exit(const struct foldfree *f, struct foldfree_exit *exit, st
     bool ok = true;
     *exit = (struct foldfree_exit){.share = 1};
     least_place_init(&place);
-    for (size_t i = 0; ok && exit->share > 0 && i < f->triangle_count * (size_t)kinds(f); i++) {
+    for (size_t i = 0; ok && exit->share > 0 && i < f->count * (size_t)kinds(f); i++) {
         struct jacobian_exit own;
         path_of(f, i, &path);
         ok = jacobian_path_exit(&path, f->room, exit->share, &own, &place, err);

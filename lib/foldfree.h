@@ -23,14 +23,23 @@ struct foldfree;
 
 enum { FOLDFREE_TEXT_MAX = 500 };
 
-/* Keeps a copy of the control points of s, which is borrowed and is to be edited. margin >= 0.
- * O(points); everything below in proportion to the triangles touched. */
+/* s is borrowed, and is to be edited. margin >= 0. The memory has room for all points, of which
+ * only what is touched is used. Everything below costs in proportion to the triangles touched. */
 struct foldfree *foldfree_new(const struct spline *s, double margin, struct err *err) WARN_UNUSED;
 void foldfree_free(struct foldfree *f); /* NULL is harmless */
+
+/* An edit begins: nothing is touched. */
+void foldfree_begin(struct foldfree *f);
 
 /* These points may have moved. */
 bool foldfree_touch(struct foldfree *f, const uint32_t *points, size_t n,
                     struct err *err) WARN_UNUSED;
+
+/* Where a touched point was before the edit, after all were touched: x and y, or the one number of
+ * sigma0 or sigma1. Points that are not told of are where they were. */
+enum foldfree_component { FOLDFREE_PHI, FOLDFREE_BOTTOM, FOLDFREE_TOP };
+void foldfree_was(struct foldfree *f, enum foldfree_component c, uint32_t point,
+                  const double *from);
 
 /* Certifies the touched triangles as they are now. ERR_REFUSAL with one that is not above the
  * margin, or undecided: its number, a place and the value there, and whether it was so before.
@@ -48,10 +57,5 @@ struct foldfree_exit {
 /* ERR_REFUSAL if there is no such share above 2^-21. About 3 us a triangle of degree 5. */
 bool foldfree_find_exit(const struct foldfree *f, struct foldfree_exit *exit,
                         struct err *err) WARN_UNUSED;
-
-/* The next edit begins, from where the points are now (accept), or from where they were (reject:
- * the caller has put them back). */
-void foldfree_accept(struct foldfree *f);
-void foldfree_reject(struct foldfree *f);
 
 #endif

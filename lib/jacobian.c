@@ -30,17 +30,19 @@ static bool in_range(double x) {
     return x >= 0x1p-400 && x <= 0x1p400;
 }
 
-/* row[i]: the multinomial coefficients n!/(i!j!k!) in the order of grid_patch, exact: < 2^53. */
+/* m[i]: the multinomial coefficients n!/(i!j!k!) = C(n,r) C(r,k), r = j + k, in the order of
+ * grid_patch, exact: < 2^53. Row r is first that of Pascal's triangle; the last row has all C(n,r).
+ */
 static void multinomials(int n, double *m) {
-    double row = 1; /* C(n, r) */
+    const double *last = m + n * (n + 1) / 2;
     for (int r = 0; r <= n; r++) {
-        double inner = row;
-        for (int k = 0; k <= r; k++) {
-            *m++ = inner;
-            inner = inner * (r - k) / (k + 1);
-        }
-        row = row * (n - r) / (r + 1);
+        double *row = m + r * (r + 1) / 2;
+        const double *above = row - r;
+        row[0] = row[r] = 1;
+        for (int k = 1; k < r; k++) row[k] = above[k - 1] + above[k];
     }
+    for (int r = 1; r < n; r++)
+        for (int k = 0; k <= r; k++) m[r * (r + 1) / 2 + k] *= last[r];
 }
 
 /* P1 and P2 of a net times their weights, and the largest of each before that; [m]: x1, y1, x2, y2.
@@ -61,8 +63,8 @@ static void find_differences(const struct spline *s, uint32_t t, struct differen
             const double *from = s->phi[q[a]];
             const double *to[2] = {s->phi[q[a + r + 1]], s->phi[q[a + r + 2]]};
             for (int m = 0; m < 4; m++) {
-                double difference = to[m / 2][m % 2] - from[m % 2];
-                of->most[m] = fmax(of->most[m], fabs(difference));
+                double difference = to[m / 2][m % 2] - from[m % 2], size = fabs(difference);
+                of->most[m] = size > of->most[m] ? size : of->most[m];
                 of->p[m][a] = weight[a] * difference;
             }
         }

@@ -54,7 +54,10 @@ static const struct jacobian_form *find_form(struct jacobian_path *p, int k) {
     f->usable = jacobian_polar(net(p, k, 0), net(p, k, 1), p->kind, p->triangle, f->c, &f->error,
                                &f->factor);
     f->largest = 0;
-    for (int i = 0; i < least_size(degree(p)); i++) f->largest = fmax(f->largest, fabs(f->c[i]));
+    for (int i = 0, n = least_size(degree(p)); i < n; i++) {
+        double size = fabs(f->c[i]);
+        f->largest = size > f->largest ? size : f->largest;
+    }
     return f;
 }
 

@@ -143,7 +143,7 @@ bool least_double(struct least_room *room, int n, const double *c, double error,
     double largest = 0, dropped = INFINITY;
     int count = 1;
     INVARIANT(n >= 0 && n <= LEAST_DEGREE_MAX);
-    for (int i = 0; i < least_size(n); i++) largest = fmax(largest, fabs(c[i]));
+    for (int i = 0; i < least_size(n); i++) largest = fabs(c[i]) > largest ? fabs(c[i]) : largest;
     least_quick(n, c, error, f);
     if (settled(f, rule)) return true;
     if (!(largest >= 0x1p-900 && largest <= 0x1p900)) return false;

@@ -363,12 +363,22 @@ static bool apply(struct run *run, const struct script_block *b, double share, s
 
 /* ---- guarding against folds ---- */
 
+/* Tells the guard what the block has moved, and from where. */
 static bool touch(struct run *run, struct err *err) {
     for (int c = 0; c < SCRIPT_CHANNELS; c++) {
         const struct channel *ch = &run->channel[c];
         if (!foldfree_touch(run->guard, ch->anchored.point, ch->anchored.count, err) ||
             !foldfree_touch(run->guard, ch->kept.derived, ch->kept.report.derived, err))
             return false;
+    }
+    for (int c = 0; c < SCRIPT_CHANNELS; c++) {
+        const struct channel *ch = &run->channel[c];
+        size_t k = (size_t)ch->columns;
+        enum foldfree_component of = FOLDFREE_PHI + (enum foldfree_component)c;
+        for (size_t i = 0; i < ch->anchor_count; i++)
+            foldfree_was(run->guard, of, ch->anchor[i].point, ch->from[i]);
+        for (size_t i = 0; i < ch->kept.report.derived; i++)
+            foldfree_was(run->guard, of, ch->kept.derived[i], ch->kept.before + k * i);
     }
     return true;
 }
@@ -390,19 +400,14 @@ static bool limit(struct run *run, const struct script_block *b, struct foldfree
     }
 }
 
-/* Accepts the block as it was applied, or limits it, or refuses it. */
+/* Lets the block pass as it was applied, or limits it, or refuses it. */
 static bool guard(struct run *run, const struct script_block *b, struct foldfree_exit *exit,
                   struct err *err) {
-    bool ok = touch(run, err);
-    if (ok &&
-        !(run->limit ? foldfree_find_exit(run->guard, exit, err) : foldfree_check(run->guard, err)))
-        ok = place_refusal(run, b, NULL, err);
-    if (ok && exit->share < 1) ok = limit(run, b, exit, err);
-    if (ok)
-        foldfree_accept(run->guard);
-    else
-        foldfree_reject(run->guard);
-    return ok;
+    foldfree_begin(run->guard);
+    if (!touch(run, err)) return false;
+    if (!(run->limit ? foldfree_find_exit(run->guard, exit, err) : foldfree_check(run->guard, err)))
+        return place_refusal(run, b, NULL, err);
+    return exit->share == 1 || limit(run, b, exit, err);
 }
 
 /* ---- edits and settings ---- */
