@@ -3,7 +3,7 @@
  * edges against all pairs of edges and sides, the grassfire against the least of all distances. */
 #include "icc_domain.h"
 
-#include "cages.h"
+#include "balls.h"
 #include "predicate.h"
 #include "testing.h"
 

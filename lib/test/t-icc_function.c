@@ -10,7 +10,7 @@
  *   broken by vertex numbers. */
 #include "icc_function.h"
 
-#include "cages.h"
+#include "balls.h"
 #include "testing.h"
 
 #include <gmp.h>

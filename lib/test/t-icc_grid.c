@@ -3,7 +3,7 @@
  * that no other has merged with), what the tally counts, the choice of cells, and all refusals. */
 #include "icc_grid.h"
 
-#include "cages.h"
+#include "balls.h"
 #include "testing.h"
 
 #include <stdlib.h>

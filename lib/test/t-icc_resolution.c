@@ -4,7 +4,7 @@
  * pairs. */
 #include "icc_resolution.h"
 
-#include "cages.h"
+#include "balls.h"
 #include "predicate.h"
 #include "testing.h"
 

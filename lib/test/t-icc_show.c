@@ -2,7 +2,7 @@
 /* What is drawn is what it is called. */
 #include "icc_show.h"
 
-#include "cages.h"
+#include "balls.h"
 #include "testing.h"
 
 #include <stdlib.h>

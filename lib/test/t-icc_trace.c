@@ -4,7 +4,7 @@
  * no rules at all: tiny steps along the gradient of whatever triangle it is in. */
 #include "icc_trace.h"
 
-#include "cages.h"
+#include "balls.h"
 #include "icc_resolution.h"
 #include "testing.h"
 

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* cages - what the tests of integral curve coordinates are made on. */
-#ifndef CAGES_H
-#define CAGES_H
+/* balls - what the tests of integral curve coordinates are made on. */
+#ifndef BALLS_H
+#define BALLS_H
 
 #include "icc_domain.h"
-
-enum { CAGE_VERTICES_MAX = 256 };
 
 /* A simple polygon, counter-clockwise, of n vertices around the origin: star-shaped, radii between
  * 1 - roughness and 1. */

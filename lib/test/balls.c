@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cages.h"
+#include "balls.h"
 
 #include "testing.h"
 
