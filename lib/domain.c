@@ -131,7 +131,7 @@ static bool refine(const struct work *w, struct shim_cgal_mesh *mesh, struct err
     struct shim_cgal_sides sides = sides_at(w, (const double(*)[2])w->at);
     struct shim_cgal_report report;
     double step = w->snap.lattice.step, cosine, sine;
-    struct shim_cgal_criteria criteria = {d->max_area / step / step, 0, d->max_triangles};
+    struct shim_cgal_criteria criteria = {true, d->max_area / step / step, 0, d->max_triangles};
     if (criteria.max_area < LEAST_CELLS)
         return snap_refuse(&w->snap, err, "a triangle of area %.9g would cover %.3g of its squares",
                            d->max_area, criteria.max_area);

@@ -15,33 +15,6 @@ struct joint_places {
     mpq_t p[2];
 };
 
-void plane_map_free(struct plane_map *p) {
-    free(p->at[0]);
-    free(p->at[1]);
-    free(p->triangle);
-    *p = (struct plane_map){0};
-}
-
-size_t plane_map_flipped(const struct plane_map *p, int plane) {
-    const double(*at)[2] = (const double(*)[2])p->at[plane];
-    size_t t = 0;
-    while (t < p->triangle_count) {
-        const uint32_t *v = p->triangle[t];
-        if (predicate_orient(at[v[0]], at[v[1]], at[v[2]]) <= 0) break;
-        t++;
-    }
-    return t;
-}
-
-static double length2(const double a[2], const double b[2]) {
-    return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
-}
-
-double joint_roundness(const double a[2], const double b[2], const double c[2]) {
-    double area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    return area > 0 ? area / (length2(a, b) + length2(b, c) + length2(c, a)) : 0;
-}
-
 static uint32_t apex_corner(uint32_t halfedge) { /* of the vertex that it begins at */
     return halfedge_next(halfedge);
 }

@@ -16,28 +16,11 @@
 #ifndef JOINT_H
 #define JOINT_H
 
-#include "err.h"
+#include "plane_map.h"
 
 #include <gmp.h>
-#include <stdint.h>
 
 #define JOINT_NONE UINT32_MAX
-
-/* A triangulation with the places of its vertices in both planes. */
-struct plane_map {
-    size_t vertex_count, triangle_count;
-    double (*at[2])[2]; /* source, target */
-    uint32_t (*triangle)[3];
-};
-
-void plane_map_free(struct plane_map *p); /* harmless on a zeroed struct */
-
-/* The number of a triangle that is not strictly counter-clockwise in that plane, or
- * triangle_count. */
-size_t plane_map_flipped(const struct plane_map *p, int plane);
-
-/* Area over the squares of the edges, rounded; 0 if it is not counter-clockwise. */
-double joint_roundness(const double a[2], const double b[2], const double c[2]);
 
 /* Where vertices are meant to lie. */
 struct joint_meaning {
@@ -72,6 +55,10 @@ void joint_free(struct joint *j); /* harmless on a zeroed struct */
  * us for each that has to give way. */
 #define JOINT_SLACK 3
 bool joint_settle(struct joint *j, const int digits[2], double slack, struct err *err) WARN_UNUSED;
+
+/* Takes away inner vertices and others of triangles that are not sound, of a joint whose vertices
+ * are exact, as long as that leaves fewer such triangles. Returns how many are left. */
+bool joint_mend(struct joint *j, size_t *left, struct err *err) WARN_UNUSED;
 
 /* Hands over the map without what was taken away. */
 bool joint_finish(struct joint *j, struct plane_map *map, struct err *err) WARN_UNUSED;
@@ -110,9 +97,6 @@ bool joint_remove(struct joint *j, uint32_t v, struct joint_star *star, bool *do
  * sound, among many that are tried; within `reach` times the distance to which it would be rounded.
  */
 bool joint_move(struct joint *j, uint32_t v, const struct joint_star *star, double reach);
-
-/* x with that many digits, as it reads back. */
-double joint_rounded(double x, int digits);
 
 /* How far, at most, a coordinate of v lies from its rounded value, about. */
 double joint_rounding(const struct joint *j, int plane, uint32_t v);

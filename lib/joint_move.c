@@ -19,13 +19,6 @@ struct kernel {
     double corner[CORNERS_MAX + 1][2]; /* from the origin; room for the middle */
 };
 
-double joint_rounded(double x, int digits) {
-    char text[NUM_TEXT_MAX];
-    const char *next;
-    if (digits > 0) num_read(text, text + num_print(text, x, digits), &x, &next);
-    return x;
-}
-
 /* The unit of the last digit of x is 10^(1 - digits) |x| at most. */
 double joint_rounding(const struct joint *j, int plane, uint32_t v) {
     const double *p = j->map.at[plane][v];
@@ -105,7 +98,7 @@ static bool try_place(struct joint *j, int plane, uint32_t v, const struct joint
     bool same = true;
     for (int c = 0; c < 2; c++) {
         double offset = step * k->corner[corner][c];
-        at[c] = joint_rounded(k->origin[c] + offset, j->digits[plane]);
+        at[c] = num_rounded(k->origin[c] + offset, j->digits[plane]);
         if (!(fabs(at[c] - k->origin[c]) <= reach)) return false;
         same = same && at[c] == wish[c];
     }

@@ -14,6 +14,7 @@
 #include "halfedge.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define NEAR                                                                                       \
@@ -42,8 +43,8 @@ static double judge(struct hole *h, int i, int k, int j, double floor) {
     uint32_t a = h->vertex[i], b = h->vertex[k], c = h->vertex[j];
     double least = INFINITY;
     for (int m = 0; m < 2; m++)
-        least = fmin(least, joint_roundness(joint_place(h->j, m, a), joint_place(h->j, m, b),
-                                            joint_place(h->j, m, c)));
+        least = fmin(least, plane_map_roundness(joint_place(h->j, m, a), joint_place(h->j, m, b),
+                                                joint_place(h->j, m, c)));
     if (least <= floor) return -1;
     for (int m = 0; m < 2; m++)
         if (joint_orient(h->j, m, a, b, c) <= 0) return -1;
@@ -162,4 +163,25 @@ bool joint_remove(struct joint *j, uint32_t v, struct joint_star *star, bool *do
     j->corner[v] = JOINT_NONE;
     *done = true;
     return true;
+}
+
+bool joint_mend(struct joint *j, size_t *left, struct err *err) {
+    struct joint_star star = {0};
+    bool ok = true, progress = true;
+    while (ok && progress) {
+        progress = false;
+        *left = 0;
+        for (uint32_t t = 0; ok && t < j->map.triangle_count; t++) {
+            uint32_t corner[3];
+            bool done = false;
+            memcpy(corner, j->map.triangle[t], sizeof corner);
+            if (corner[0] == JOINT_NONE || joint_is_sound(j, t)) continue;
+            for (int c = 0; ok && c < 3 && !done; c++)
+                if (!j->fixed[corner[c]]) ok = joint_remove(j, corner[c], &star, &done, err);
+            progress = progress || done;
+            *left += !done;
+        }
+    }
+    free(star.corner);
+    return ok;
 }

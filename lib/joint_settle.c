@@ -6,6 +6,7 @@
 #include "joint.h"
 
 #include "mem.h"
+#include "num.h"
 
 #include <math.h>
 #include <string.h>
@@ -188,7 +189,7 @@ static bool make_wishes(struct joint *j, const int digits[2], struct err *err) {
         if (!mem_new(j->wish[m], j->map.vertex_count, err)) return false;
         for (size_t v = 0; v < j->map.vertex_count; v++)
             for (int c = 0; c < 2; c++)
-                j->wish[m][v][c] = joint_rounded(j->map.at[m][v][c], digits[m]);
+                j->wish[m][v][c] = num_rounded(j->map.at[m][v][c], digits[m]);
     }
     for (size_t v = 0; v < j->map.vertex_count; v++) j->settled[v] = true;
     return true;

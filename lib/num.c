@@ -112,3 +112,10 @@ size_t num_print_int(char buf[NUM_TEXT_MAX], int64_t n) {
     while (count) buf[length++] = reversed[--count];
     return length;
 }
+
+double num_rounded(double x, int digits) {
+    char text[NUM_TEXT_MAX];
+    const char *next;
+    if (digits > 0) num_read(text, text + num_print(text, x, digits), &x, &next);
+    return x;
+}

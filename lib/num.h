@@ -27,4 +27,7 @@ enum num_status num_read_int(const char *s, const char *end, int64_t *n, const c
 size_t num_print(char buf[NUM_TEXT_MAX], double x, int digits);
 size_t num_print_int(char buf[NUM_TEXT_MAX], int64_t n);
 
+/* What num_print writes, as it reads back. */
+double num_rounded(double x, int digits);
+
 #endif

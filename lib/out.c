@@ -109,6 +109,15 @@ void out_double(struct out *out, double x, int digits) {
     out->used += num_print(out->buf + out->used, x, digits);
 }
 
+void out_record(struct out *out, const char *word, const double *x, int n, int digits) {
+    out_text(out, word);
+    for (int i = 0; i < n; i++) {
+        out_char(out, ' ');
+        out_double(out, x[i], digits);
+    }
+    out_char(out, '\n');
+}
+
 void out_format(struct out *out, const char *format, ...) {
     char text[1024];
     va_list args;
@@ -120,21 +129,41 @@ void out_format(struct out *out, const char *format, ...) {
     out_bytes(out, text, (size_t)n);
 }
 
-bool out_close(struct out *out, struct err *err) {
+bool out_close_pending(struct out *out, struct out_pending *pending, struct err *err) {
+    bool ok;
+    *pending = (struct out_pending){0};
     flush(out);
     if (!out->sink && close(out->fd) < 0 && !out->err.kind)
         err_system(&out->err, "write", name_of(out));
     out->fd = -1;
-    if (!out->err.kind && out->temp) {
-        if (rename(out->temp, out->path) < 0)
-            err_system(&out->err, "rename to", out->path);
-        else
-            out->temp[0] = '\0';
+    ok = out->err.kind == ERR_NONE;
+    if (ok && out->temp) {
+        *pending = (struct out_pending){out->path, out->temp};
+        out->path = out->temp = NULL;
     }
-    bool ok = out->err.kind == ERR_NONE;
     if (!ok) *err = out->err;
     out_discard(out);
     return ok;
+}
+
+bool out_commit(struct out_pending *pending, struct err *err) {
+    bool ok = !pending->temp || rename(pending->temp, pending->path) == 0 ||
+              err_system(err, "rename to", pending->path);
+    if (ok && pending->temp) pending->temp[0] = '\0';
+    out_revoke(pending);
+    return ok;
+}
+
+void out_revoke(struct out_pending *pending) {
+    if (pending->temp && pending->temp[0]) unlink(pending->temp);
+    free(pending->path);
+    free(pending->temp);
+    *pending = (struct out_pending){0};
+}
+
+bool out_close(struct out *out, struct err *err) {
+    struct out_pending pending;
+    return out_close_pending(out, &pending, err) && out_commit(&pending, err);
 }
 
 void out_discard(struct out *out) {

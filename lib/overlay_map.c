@@ -23,8 +23,8 @@ static double judge(const struct plane_map *map, const uint32_t *corner, size_t 
     for (int m = 0; m < 2; m++) {
         const double(*at)[2] = (const double(*)[2])map->at[m];
         for (size_t i = 1; i + 1 < n; i++)
-            worst = fmin(worst, joint_roundness(at[corner[c]], at[corner[(c + i) % n]],
-                                                at[corner[(c + i + 1) % n]]));
+            worst = fmin(worst, plane_map_roundness(at[corner[c]], at[corner[(c + i) % n]],
+                                                    at[corner[(c + i + 1) % n]]));
     }
     return worst;
 }

@@ -66,7 +66,7 @@ struct Stop {
     throw Stop{status, first, second, winding};
 }
 
-// Too large, or with a small angle: area of the rounded triangle first, then the angle, worst
+// Too large, or with a small angle: area of the (rounded) triangle first, then the angle, worst
 // first.
 class Criteria {
   public:
@@ -98,7 +98,8 @@ class Criteria {
       private:
         const shim_cgal_criteria &limit;
 
-        static Point rounded(const Point &p) {
+        Point rounded(const Point &p) const {
+            if (!limit.integers) return p;
             return Point(std::floor(p.x() + 0.5), std::floor(p.y() + 0.5));
         }
 

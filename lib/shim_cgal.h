@@ -43,9 +43,10 @@ struct shim_cgal_sides {
     size_t side_count;
 };
 
-/* When is a triangle too bad to stay. Coordinates are meant to be rounded to integers, half up,
- * afterwards: the area counts after that rounding. */
+/* When is a triangle too bad to stay. Where coordinates are to be rounded to integers, half up,
+ * afterwards, the area counts after that rounding. */
 struct shim_cgal_criteria {
+    bool integers;
     double max_area; /* infinity: any */
     double sine2;    /* square of the sine of the least angle; 0: any */
     size_t max_triangles;

@@ -17,20 +17,11 @@ struct corner {
     uint32_t point;
 };
 
-static void write_numbers(struct out *out, const char *word, const double *x, int n, int digits) {
-    out_text(out, word);
-    for (int m = 0; m < n; m++) {
-        out_char(out, ' ');
-        out_double(out, x[m], digits);
-    }
-    out_char(out, '\n');
-}
-
 static void write_points(struct out *out, const struct tessellation *t, int digits) {
     for (int s = 0; s < t->sheets; s++)
         for (uint32_t p = 0; p < t->net.point_count; p++)
-            write_numbers(out, "v", t->sheet[s][p], 3, digits);
-    for (uint32_t p = 0; p < t->net.point_count; p++) write_numbers(out, "vt", t->source[p], 2, 0);
+            out_record(out, "v", t->sheet[s][p], 3, digits);
+    for (uint32_t p = 0; p < t->net.point_count; p++) out_record(out, "vt", t->source[p], 2, 0);
 }
 
 static void write_face(struct out *out, const struct tessellation *t, bool turned, struct corner a,

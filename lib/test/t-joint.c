@@ -4,6 +4,7 @@
  * belong. */
 #include "overlay_map.h"
 
+#include "num.h"
 #include "planar.h"
 #include "testing.h"
 
@@ -78,7 +79,7 @@ static void check_map(uint64_t seed, const struct plane_map *map, const struct p
     mpq_t area, whole;
     mpq_inits(area, whole, NULL);
     for (int m = 0; m < 2; m++) {
-        check_seed(seed, plane_map_flipped(map, m) == map->triangle_count);
+        check_seed(seed, plane_map_flipped(map, m, 0) == map->triangle_count);
         check_seed(seed, planar_total(area, (const double(*)[2])map->at[m],
                                       (const uint32_t(*)[3])map->triangle, map->triangle_count));
         mpq_set_d(whole, 2 * side * side);
@@ -87,7 +88,7 @@ static void check_map(uint64_t seed, const struct plane_map *map, const struct p
                              (digits ? 8 * side * side * pow(10, 1 - digits) : 1e-12));
         for (size_t v = 0; v < map->vertex_count; v++)
             for (int c = 0; m == 1 && c < 2; c++)
-                check_seed(seed, map->at[m][v][c] == joint_rounded(map->at[m][v][c], digits));
+                check_seed(seed, map->at[m][v][c] == num_rounded(map->at[m][v][c], digits));
     }
     mpq_clears(area, whole, NULL);
 }
