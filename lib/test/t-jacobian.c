@@ -194,6 +194,69 @@ static void test_low_degrees(void **state) {
     }
 }
 
+/* -dip turns everything over, and is least at a corner. */
+static void test_flips(void **state) {
+    static const double corner[3][2] = {{0, 0}, {840, 0}, {0, 840}};
+    uint64_t seed = 17;
+    (void)state;
+    for (int n = test_count(40); n > 0; n--) {
+        uint64_t start = seed;
+        int degree = (int)random_in(&seed, 3, 8);
+        int a = (int)random_in(&seed, 0, 840), b = (int)random_in(&seed, 0, 840 - a);
+        struct poly det = product(constant(-1), dip((double)random_in(&seed, 1, 1000), a, b));
+        struct poly g = integral(det);
+        struct jacobian_bounds got;
+        struct spline s;
+        double least = 0, value;
+        for (int l = 0; l < 3; l++) least = fmin(least, value_of(&det, corner[l][0], corner[l][1]));
+        plant(&s, degree, 840, 1, &g);
+        got = certify(&s, &det, 0.01, &value);
+        check_seed(start, got.verdict == JACOBIAN_FOLDS);
+        check_seed(start, got.low <= least && least <= got.high && least <= value);
+    }
+}
+
+/* A least value above B, by little or much, is certified. Below, the verdict may be that it is
+ * undecided, and is never a wrong one. */
+static void test_threshold(void **state) {
+    static const double depth[] = {1000, 1, 0x1p-20};
+    struct least_room *room;
+    struct err err;
+    uint64_t seed = 23;
+    int undecided = 0;
+    (void)state;
+    assert_non_null(room = least_room_new(&err));
+    for (int n = test_count(60); n > 0; n--) {
+        uint64_t start = seed;
+        int degree = (int)random_in(&seed, 3, 8), sign = random_bits(&seed) & 1 ? 1 : -1;
+        int a = (int)random_in(&seed, 1, 838), b = (int)random_in(&seed, 1, 839 - a);
+        double m = depth[random_in(&seed, 0, 2)], c[LEAST_SIZE_MAX], error, factor, mean = 0;
+        struct poly det = dip(sign * m, a, b), g = integral(det);
+        struct least_rule rule = {0.01, 0, 4096};
+        struct least_place place;
+        struct jacobian_bounds got;
+        struct spline s;
+        plant(&s, degree, 840, 1, &g);
+        assert_true(jacobian_coefficients(&s, JACOBIAN_PLANE, 0, c, &error, &factor));
+        for (int i = 0; i < least_size(2 * degree - 2); i++) mean += fabs(c[i]);
+        mean *= factor / least_size(2 * degree - 2);
+        for (int k = 0; k < 6; k++) {
+            static const double times[] = {0, 0x1p-40, 0.5, 0.999, 1.001, 1000};
+            rule.undecided = fmin(0.5, times[k] * m / mean);
+            least_place_init(&place);
+            assert_true(jacobian_triangle(room, &s, JACOBIAN_PLANE, 0, &rule, &got, &place, &err));
+            check_seed(start, got.low <= sign * m && sign * m <= got.high);
+            check_seed(start, got.verdict == expected(sign) ||
+                                  (times[k] > 1 && got.verdict == JACOBIAN_UNDECIDED));
+            undecided += got.verdict == JACOBIAN_UNDECIDED;
+            least_place_free(&place);
+        }
+        spline_free(&s);
+    }
+    assert_true(undecided > 0);
+    least_room_free(room);
+}
+
 /* 3 (x^2 - 1/2)^2 + 3 y^2 + m on legs of 15/8, y = t - shift */
 static struct poly irrational(double m, double shift) {
     struct poly x = linear(0, 1, 0), y = linear(-shift, 0, 1);
@@ -498,6 +561,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_dips),
         cmocka_unit_test(test_low_degrees),
+        cmocka_unit_test(test_flips),
+        cmocka_unit_test(test_threshold),
         cmocka_unit_test(test_irrational_zero),
         cmocka_unit_test(test_curve_of_zeros),
         cmocka_unit_test(test_positive_net),
