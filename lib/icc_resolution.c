@@ -64,10 +64,11 @@ static void test_piece(const struct icc_field *f, uint32_t cell, uint32_t side,
         for (int c = 0; c < 2; c++) end[k][c] = a[c] + from[k] * (b[c] - a[c]);
         below[k] = (end[k][0] - i) - (end[k][1] - j);
     }
-    bool lower = fmax(below[0], below[1]) > 0, upper = fmin(below[0], below[1]) < 0;
-    if ((lower && !all_have(f->function, cell, cell + 1, cell + d->nx + 1)) ||
-        (upper && !all_have(f->function, cell, cell + d->nx + 1, cell + d->nx)))
-        fail(failures, d, end[0], side);
+    int lowest = below[0] < below[1]; /* the end that is nearer to the lower triangle */
+    if (below[lowest] > 0 && !all_have(f->function, cell, cell + 1, cell + d->nx + 1))
+        fail(failures, d, end[lowest], side);
+    else if (below[!lowest] < 0 && !all_have(f->function, cell, cell + d->nx + 1, cell + d->nx))
+        fail(failures, d, end[!lowest], side);
 }
 
 void icc_resolution(const struct icc_field *f, struct icc_failures failures[ICC_TESTS]) {

@@ -55,7 +55,7 @@ static void check_domain(const struct icc_domain *d, uint64_t seed) {
 static void random_domains(void **state) {
     (void)state;
     int cuts = 0;
-    for (uint64_t seed = 1; seed <= (uint64_t)test_count(200); seed++) {
+    for (uint64_t seed = 1; seed <= (uint64_t)test_count(1000); seed++) {
         double vertex[60][2];
         uint64_t random = seed;
         size_t n = (size_t)random_in(&random, 3, 60);

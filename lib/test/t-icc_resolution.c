@@ -114,7 +114,7 @@ static void check(const struct scene *s, uint64_t seed, size_t seen[ICC_TESTS + 
 static void against_definitions(void **state) {
     size_t seen[ICC_TESTS + 1] = {0};
     (void)state;
-    for (uint64_t seed = 1; seed <= (uint64_t)test_count(400); seed++) {
+    for (uint64_t seed = 1; seed <= (uint64_t)test_count(2000); seed++) {
         double vertex[40][2];
         uint64_t random = seed;
         size_t n = (size_t)random_in(&random, 3, 40);
