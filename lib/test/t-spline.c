@@ -1,97 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Oracles: the defining sum over control points, and polynomial maps, whose control points are
- * their blossoms; both in long double. A polynomial map is the same on every triangle, so it also
- * shows that triangles fit together to any order. */
+/* Oracles: the defining sum over control points, and polynomial maps, which are the same on every
+ * triangle, so they also show that triangles fit together to any order. */
 #include "spline.h"
 
 #include "deform.h"
 #include "mem.h"
+#include "polynomials.h"
 #include "testing.h"
 #include "triangulations.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { TERMS = GRID_DEGREE_MAX + 1 };
-
-/* sum c[p][q] x^p y^q, p + q <= degree */
-struct polynomial {
-    int degree;
-    long double c[TERMS][TERMS];
-};
-
-/* f itself, or its derivative by x (dx = 1) or y (dy = 1). */
-static long double value_of(const struct polynomial *f, int dx, int dy, long double x,
-                            long double y) {
-    long double sum = 0;
-    for (int p = dx; p <= f->degree; p++)
-        for (int q = dy; p + q <= f->degree; q++) {
-            long double term = f->c[p][q] * (dx ? p : 1) * (dy ? q : 1);
-            for (int i = dx; i < p; i++) term *= x;
-            for (int i = dy; i < q; i++) term *= y;
-            sum += term;
-        }
-    return sum;
-}
-
-/* The blossom of f, as a polynomial of degree d, at d points: the coefficient of s^p t^q in
- * prod (1 + s x_m + t y_m), over the number of its terms, stands for x^p y^q. */
-static long double blossom(const struct polynomial *f, int d, long double points[][2]) {
-    long double e[TERMS][TERMS] = {{1}}, sum = 0, count[TERMS][TERMS];
-    for (int m = 0; m < d; m++)
-        for (int p = m + 1; p >= 0; p--)
-            for (int q = m + 1 - p; q >= 0; q--)
-                e[p][q] +=
-                    (p ? points[m][0] * e[p - 1][q] : 0) + (q ? points[m][1] * e[p][q - 1] : 0);
-    for (int p = 0; p <= d; p++) /* d! / (p! q! (d-p-q)!) */
-        for (int q = 0; p + q <= d; q++) {
-            count[p][q] = 1;
-            for (int i = 0; i < p; i++) count[p][q] *= (long double)(d - i) / (i + 1);
-            for (int i = 0; i < q; i++) count[p][q] *= (long double)(d - p - i) / (i + 1);
-        }
-    for (int p = 0; p <= f->degree; p++)
-        for (int q = 0; p + q <= f->degree; q++) sum += f->c[p][q] * e[p][q] / count[p][q];
-    return sum;
-}
-
-static void world(const struct grid *g, uint32_t v, long double xy[2]) {
-    xy[0] = g->lattice.x0 + (long double)g->lattice.step * g->vertex[v][0];
-    xy[1] = g->lattice.y0 + (long double)g->lattice.step * g->vertex[v][1];
-}
-
-static long double coefficient(const struct polynomial *f, const struct grid *g, uint32_t p) {
-    struct grid_place place = grid_place(g, p);
-    long double points[GRID_DEGREE_MAX][2];
-    int m = 0;
-    for (int l = 0; l < 3; l++)
-        for (int i = 0; i < place.weight[l]; i++)
-            world(g, g->triangle[place.triangle][l], points[m++]);
-    return blossom(f, g->degree, points);
-}
-
-static void random_polynomial(struct polynomial *f, int degree, uint64_t *s) {
-    *f = (struct polynomial){.degree = degree};
-    for (int p = 0; p <= degree; p++)
-        for (int q = 0; p + q <= degree; q++)
-            f->c[p][q] = ldexp(random_unit(s) - 0.5, -3 * (p + q));
-}
-
 /* A spline whose four components (phi, sigma) are the polynomials f, or the identity (f NULL). */
 static void make_spline(struct spline *s, const struct polynomial *f, const struct lattice *lattice,
                         int degree, bool depth, uint64_t seed) {
     struct grid g;
-    struct err err = {0};
     random_grid(&g, 3, degree, seed);
     g.lattice = *lattice;
     g.has_depth = depth;
     g.depth[0] = -3;
     g.depth[1] = 4.5;
-    assert_true(spline_identity(s, &g, &err));
-    for (uint32_t p = 0; f && p < s->grid.point_count; p++)
-        for (int m = 0; m < 2; m++) {
-            s->phi[p][m] = (double)coefficient(&f[m], &s->grid, p);
-            if (depth) s->sigma[p][m] = (double)coefficient(&f[2 + m], &s->grid, p);
-        }
+    polynomial_spline(s, &g, f);
 }
 
 static const struct lattice fine = {0x1p-10, -1, -2};
@@ -112,7 +42,7 @@ static bool random_point(const struct spline *s, uint64_t *state, double p[3], u
     for (int k = 0; k < 2; k++) {
         long double sum = 0, xy[2];
         for (int i = 0; i < 3; i++) {
-            world(g, v[i], xy);
+            world_of(g, v[i], xy);
             sum += xy[k] * w[i];
         }
         p[k] = (double)(sum / ((long double)w[0] + w[1] + w[2]));
@@ -203,15 +133,16 @@ static void check_polynomial_point(const struct polynomial f[4], const double p[
         for (int c = 0; c < 3; c++) {
             int dx = c == 1, dy = c == 2;
             if (r < 2)
-                exact[c] = value_of(&f[r], dx, dy, p[0], p[1]);
+                exact[c] = polynomial_value(&f[r], dx, dy, p[0], p[1]);
             else if (depth)
-                exact[c] = a[0] * value_of(&f[2], dx, dy, p[0], p[1]) +
-                           a[1] * value_of(&f[3], dx, dy, p[0], p[1]);
+                exact[c] = a[0] * polynomial_value(&f[2], dx, dy, p[0], p[1]) +
+                           a[1] * polynomial_value(&f[3], dx, dy, p[0], p[1]);
         }
         if (r < 2) exact[3] = 0;
         if (r == 2 && depth)
-            exact[3] =
-                (value_of(&f[3], 0, 0, p[0], p[1]) - value_of(&f[2], 0, 0, p[0], p[1])) / 7.5L;
+            exact[3] = (polynomial_value(&f[3], 0, 0, p[0], p[1]) -
+                        polynomial_value(&f[2], 0, 0, p[0], p[1])) /
+                       7.5L;
         check_seed(seed, fabsl(value[r] - exact[0]) < 1e-12L);
         for (int c = 0; c < 3; c++) check_seed(seed, fabsl(jacobian[r][c] - exact[c + 1]) < 1e-11L);
     }
