@@ -43,7 +43,7 @@ void foldfree_was(struct foldfree *f, enum foldfree_component c, uint32_t point,
 
 /* Certifies the touched triangles as they are now. ERR_REFUSAL with one that is not above the
  * margin, or undecided: its number, a place and the value there, and whether it was so before.
- * About 0.6 us a triangle of degree 5. */
+ * About 1 us a triangle of degree 5. */
 bool foldfree_check(const struct foldfree *f, struct err *err) WARN_UNUSED;
 
 /* How far the edit may go. */

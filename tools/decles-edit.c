@@ -93,6 +93,7 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
         return cli_double(cli, 0, 1e300, &set->script.decles.max_gain, err);
     case KEY_NO_FOLD:
         set->script.no_fold = true;
+        set->script.margin = 0;
         return !cli->value || cli_double(cli, 0, 1e300, &set->script.margin, err);
     case KEY_LIMIT:
         set->script.limit = true;
