@@ -178,21 +178,43 @@ static bool read_all(struct reader *r, struct grid_file *file) {
            read_points(r, s);
 }
 
-bool grid_read(struct grid_file *file, const char *path, struct err *err) {
-    struct reader r = {.grid = {.axes = {0, 1, 2}, .lattice = {1, 0, 0}}};
-    bool ok;
-    *file = (struct grid_file){0};
-    if (!src_open(&r.src, path, err)) return false;
-    ok = read_all(&r, file);
+/* From r->src, which is open. */
+static bool read_source(struct reader *r, struct grid_file *file, struct err *err) {
+    bool ok = read_all(r, file);
     if (!ok) {
-        *err = r.src.err;
+        *err = r->src.err;
         grid_file_free(file);
     }
-    grid_free(&r.grid);
-    free(r.vertex_line);
-    free(r.triangle_line);
-    src_close(&r.src);
+    grid_free(&r->grid);
+    free(r->vertex_line);
+    free(r->triangle_line);
+    src_close(&r->src);
     return ok;
+}
+
+static const struct reader fresh = {.grid = {.axes = {0, 1, 2}, .lattice = {1, 0, 0}}};
+
+bool grid_read(struct grid_file *file, const char *path, struct err *err) {
+    struct reader r = fresh;
+    *file = (struct grid_file){0};
+    return src_open(&r.src, path, err) && read_source(&r, file, err);
+}
+
+bool grid_read_text(struct grid_file *file, const char *name, const char *text, size_t length,
+                    struct err *err) {
+    struct reader r = fresh;
+    *file = (struct grid_file){0};
+    src_open_text(&r.src, name, text, length);
+    return read_source(&r, file, err);
+}
+
+bool grid_is_text(const char *text, size_t length) {
+    struct src src;
+    bool is;
+    src_open_text(&src, "", text, length);
+    is = src_line(&src) && src_take(&src, "grid");
+    src_close(&src);
+    return is;
 }
 
 void grid_file_free(struct grid_file *file) {

@@ -17,6 +17,12 @@ struct grid_file {
 bool grid_read(struct grid_file *file, const char *path, struct err *err) WARN_UNUSED;
 void grid_file_free(struct grid_file *file);
 
+/* The same from memory; and whether the first word is that of a grid. Name and text are borrowed.
+ */
+bool grid_read_text(struct grid_file *file, const char *name, const char *text, size_t length,
+                    struct err *err) WARN_UNUSED;
+bool grid_is_text(const char *text, size_t length);
+
 /* Writes the canonical form: plane and lattice only where they are not the default. `added` is a
  * line for the history without "# " and newline, or NULL. `digits` is for the control points;
  * lattice and depth, which give the points their meaning, are always written exactly.

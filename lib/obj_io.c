@@ -22,7 +22,7 @@ static bool add_vertex(struct reader *r) {
     if (m->vertex_count == UINT32_MAX - 1)
         return obj_fail(&r->scan, r->scan.line, "more than %u vertices", UINT32_MAX - 1);
     if (!mem_grow(m->vertex, &r->vertex_cap, m->vertex_count + 1, err)) return false;
-    return obj_numbers3(&r->scan, "a coordinate", m->vertex[m->vertex_count++]) &&
+    return obj_numbers(&r->scan, "a coordinate", 3, m->vertex[m->vertex_count++]) &&
            obj_more_numbers(&r->scan, "a weight or colour");
 }
 

@@ -10,7 +10,7 @@ enum { COUNT_MAX = INT32_MAX };
 static bool add(struct obj_scan *s, double (**array)[3], size_t *cap, size_t *count) {
     if (*count == COUNT_MAX) return obj_fail(s, s->line, "more than %d such lines", COUNT_MAX);
     return mem_grow(*array, cap, *count + 1, &s->err) &&
-           obj_numbers3(s, "a coordinate", (*array)[(*count)++]);
+           obj_numbers(s, "a coordinate", 3, (*array)[(*count)++]);
 }
 
 static bool read_all(struct obj_scan *s, struct obj_points *p) {

@@ -79,6 +79,7 @@ static enum obj_kind kind_of(const char *word, size_t length) {
         return OBJ_OTHER;
     case 2:
         if (word[0] == 'v' && word[1] == 'n') return OBJ_NORMAL;
+        if (word[0] == 'v' && word[1] == 't') return OBJ_TEXTURE;
         if (word[0] == 'f' && word[1] == 'o') return OBJ_FACE;
         return OBJ_OTHER;
     case 4:
@@ -115,8 +116,10 @@ static bool number(struct obj_scan *s, const char *what, double *x) {
     return obj_expected(s, p, what);
 }
 
-bool obj_numbers3(struct obj_scan *s, const char *what, double x[3]) {
-    return number(s, what, &x[0]) && number(s, what, &x[1]) && number(s, what, &x[2]);
+bool obj_numbers(struct obj_scan *s, const char *what, int n, double *x) {
+    for (int i = 0; i < n; i++)
+        if (!number(s, what, &x[i])) return false;
+    return true;
 }
 
 static bool at_end(const struct obj_scan *s) {
@@ -153,16 +156,15 @@ static bool optional_index(struct obj_scan *s, const char **p, int64_t *n) {
 
 bool obj_corner(struct obj_scan *s, struct obj_corner *c) {
     const char *p = skip_blanks(s->at, s->stop);
-    int64_t texture;
     if (s->err.kind || p == s->stop || *p == '#') return false;
     *c = (struct obj_corner){.begin = p};
     if (!optional_index(s, &p, &c->vertex)) return false;
     if (c->vertex == 0) return obj_expected(s, c->begin, "a vertex index");
     if (p < s->stop && *p == '/') {
         c->cut = p++;
-        if (!optional_index(s, &p, &texture)) return false;
+        if (!optional_index(s, &p, &c->texture)) return false;
         if (p < s->stop && *p == '/') {
-            if (texture) c->cut = p;
+            if (c->texture) c->cut = p;
             c->normal_at = ++p;
             if (!optional_index(s, &p, &c->normal)) return false;
         }

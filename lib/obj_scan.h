@@ -17,6 +17,7 @@ enum obj_kind {
     OBJ_END,     /* no more statements */
     OBJ_VERTEX,  /* v x y z ... */
     OBJ_NORMAL,  /* vn x y z */
+    OBJ_TEXTURE, /* vt u [v [w]] */
     OBJ_FACE,    /* f and the old fo: corners v/vt/vn */
     OBJ_LINE,    /* l: v/vt */
     OBJ_POINT,   /* p: v */
@@ -38,7 +39,7 @@ struct obj_corner {
     const char *begin, *end; /* its text */
     const char *cut;       /* with a normal: from here to `end` stand the slashes and the normal */
     const char *normal_at; /* the normal's number [normal_at, end) */
-    int64_t vertex, normal;
+    int64_t vertex, texture, normal;
 };
 
 void obj_scan_init(struct obj_scan *s, const char *name, const char *text, size_t length);
@@ -46,8 +47,8 @@ void obj_scan_init(struct obj_scan *s, const char *name, const char *text, size_
 /* Goes to the next statement; s->at is past its keyword. OBJ_END after an error, too. */
 enum obj_kind obj_next(struct obj_scan *s);
 
-/* The next three words must be numbers. `what` completes "expected ...". */
-bool obj_numbers3(struct obj_scan *s, const char *what, double x[3]);
+/* The next n words must be numbers. `what` completes "expected ...". */
+bool obj_numbers(struct obj_scan *s, const char *what, int n, double *x);
 
 /* All further words must be numbers. */
 bool obj_more_numbers(struct obj_scan *s, const char *what);
@@ -66,7 +67,7 @@ bool obj_to_corners(struct obj_scan *s, enum obj_kind kind);
 bool obj_word(struct obj_scan *s, const char **begin, const char **end);
 
 /* The index from 0 that `number` means where `count` are defined before it; negative ones are
- * checked, positive ones may lie ahead. `what` is "vertex" or "normal". */
+ * checked, positive ones may lie ahead. `what` is "vertex", "normal" or "texture coordinate". */
 bool obj_resolve(struct obj_scan *s, const struct obj_corner *corner, const char *what,
                  int64_t number, size_t count, size_t *index);
 

@@ -101,11 +101,11 @@ void raster_plane_set(struct raster_plane *plane, const double corner[3][2],
     plane->slope[1] = (v2 * x1 - v1 * x2) / area;
 }
 
-bool raster_init(struct raster *r, uint32_t width, uint32_t height, size_t samples,
+bool raster_init(struct raster *r, uint32_t width, uint32_t height, uint32_t unit, size_t samples,
                  struct err *err) {
-    size_t rows = samples / width, n;
+    size_t groups = samples / width / unit, n;
     *r = (struct raster){.width = width, .height = height};
-    r->room = rows < 1 ? 1 : rows < height ? (uint32_t)rows : height;
+    r->room = unit * (groups < 1 ? 1 : groups < height / unit ? (uint32_t)groups : height / unit);
     n = (size_t)r->room * width;
     r->face = mem_alloc_unset(n, sizeof *r->face, err);
     r->nearness = mem_alloc_unset(n, sizeof *r->nearness, err);

@@ -58,8 +58,9 @@ struct raster {
 };
 #define RASTER_NONE UINT32_MAX
 
-/* Room for bands of at most `rows` rows, or of as many as take `samples` in all, at least one. */
-bool raster_init(struct raster *r, uint32_t width, uint32_t height, size_t samples,
+/* Room for bands of about as many rows as take `samples` in all: whole groups of `unit` rows, at
+ * least one group, at most the picture, whose height is a multiple of `unit`. */
+bool raster_init(struct raster *r, uint32_t width, uint32_t height, uint32_t unit, size_t samples,
                  struct err *err) WARN_UNUSED;
 void raster_free(struct raster *r); /* harmless on a zeroed struct */
 

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* OBJ models: indices of a model exist; a copy whose vertices do not change has the same vertices,
- * and the copy of the copy is the same text, however normals are treated. */
+ * and the copy of the copy is the same text, however normals are treated. Textured faces use what
+ * exists. */
 #include "fuzzing.h"
 #include "obj_copy.h"
 #include "obj_io.h"
+#include "textured_io.h"
 
 static void check_model(const char *path) {
     struct model m;
@@ -65,9 +67,26 @@ static void check_copies(const char *path, enum obj_normal_mode mode, obj_turn *
     close(f.fd);
 }
 
+static void check_textured(const char *path) {
+    struct textured t;
+    struct filemap file;
+    struct err err = {0};
+    INVARIANT(filemap_open(&file, path, &err));
+    if (textured_read(&t, &file, &err)) {
+        INVARIANT(t.face_count > 0);
+        for (uint32_t i = 0; i < 3 * t.face_count; i++)
+            INVARIANT(t.face[i / 3].vertex[i % 3] < t.vertex_count &&
+                      t.face[i / 3].place[i % 3] < t.place_count);
+        textured_free(&t);
+    } else
+        INVARIANT(err.kind == ERR_INPUT && err.message[0]);
+    filemap_close(&file);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     struct fuzz_file f = fuzz_open(data, size);
     check_model(f.path);
+    check_textured(f.path);
     check_copies(f.path, OBJ_NORMALS_KEEP, keep);
     check_copies(f.path, OBJ_NORMALS_DROP, keep);
     check_copies(f.path, OBJ_NORMALS_TRANSFORM, turn);

@@ -167,7 +167,7 @@ static void who_is_seen(void **unused) {
             for (int c = 0; c < 3; c++)
                 near[f][c] = (double)random_in(&state, 0, random_in(&state, 0, 3) ? 9 : 0);
         }
-        assert_true(raster_init(&r, WIDTH, HEIGHT, (size_t)random_in(&state, 1, SAMPLES), &err));
+        assert_true(raster_init(&r, WIDTH, HEIGHT, 1, (size_t)random_in(&state, 1, SAMPLES), &err));
         while (raster_next_band(&r)) {
             for (uint32_t f = 0; f < FACES; f++)
                 raster_draw(&r, f, corner[f], flat ? NULL : near[f]);

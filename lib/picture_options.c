@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "picture_options.h"
+
+#include "colour_io.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIDE_MAX = 32767, USUAL_SIDE = 800 };
+
+void picture_options_init(struct picture_options *o) {
+    *o = (struct picture_options){.antialias = 4, .background = 0xffffffff, .to = -1};
+}
+
+bool picture_colour(const struct cli *cli, uint32_t *colour, struct err *err) {
+    return colour_read(cli->value, strlen(cli->value), colour) ||
+           cli_bad_value(cli, err, "%s", COLOUR_SYNTAX);
+}
+
+static bool read_size(struct picture_options *o, const struct cli *cli, struct err *err) {
+    int64_t n[2];
+    if (!cli_cells(cli, SIDE_MAX, n, err)) return false;
+    o->has_size = true;
+    o->size[0] = (uint32_t)n[0];
+    o->size[1] = (uint32_t)n[1];
+    return true;
+}
+
+bool picture_option(struct picture_options *o, const struct cli *cli, int key, struct err *err) {
+    switch (key) {
+    case PICTURE_SIZE:
+        return read_size(o, cli, err);
+    case PICTURE_SCALE:
+        o->has_scale = true;
+        return cli_double(cli, 1e-300, 1e300, &o->scale, err);
+    case PICTURE_Y_DOWN:
+        return o->y_down = true;
+    case PICTURE_ANTIALIAS:
+        return cli_int(cli, 1, 16, &o->antialias, err);
+    case PICTURE_BACKGROUND:
+        return picture_colour(cli, &o->background, err);
+    case PICTURE_TO:
+        return cli_choice(cli, image_format_names, &o->to, err);
+    default: /* 'o' */
+        o->output = cli->value;
+        return true;
+    }
+}
+
+bool picture_options_end(struct picture_options *o, const struct cli *cli, struct err *err) {
+    if (o->has_size && o->has_scale)
+        return err_set(err, ERR_USAGE, "--size and --scale exclude each other; try %s --help",
+                       cli->program->name);
+    return image_output_format(o->to, o->output, &o->format, err);
+}
+
+/* The usual size: the longer side of the box has USUAL_SIDE pixels. */
+static void usual_size(const double lo[2], const double hi[2], uint32_t size[2]) {
+    double w = hi[0] - lo[0], h = hi[1] - lo[1], most = fmax(w, h);
+    size[0] = most > 0 ? (uint32_t)fmax(1, floor(USUAL_SIDE * (w / most) + 0.5)) : 1;
+    size[1] = most > 0 ? (uint32_t)fmax(1, floor(USUAL_SIDE * (h / most) + 0.5)) : 1;
+}
+
+bool picture_begin(const struct picture_options *o, const double lo[2], const double hi[2],
+                   struct viewport *view, struct image *image, struct err *err) {
+    uint32_t size[2] = {o->size[0], o->size[1]};
+    bool opaque = (o->background & 255) == 255;
+    *image = (struct image){0};
+    if (!isfinite(hi[0] - lo[0]) || !isfinite(hi[1] - lo[1]))
+        return err_set(err, ERR_REFUSAL, "what is to be seen extends beyond the range of numbers");
+    if (o->has_scale) {
+        if (!viewport_scale(view, lo, hi, o->scale, SIDE_MAX, o->y_down))
+            return err_set(err, ERR_REFUSAL,
+                           "with --scale %g the picture has more than %d pixels a side", o->scale,
+                           SIDE_MAX);
+    } else {
+        if (!o->has_size) usual_size(lo, hi, size);
+        *view = viewport_fit(lo, hi, size, o->y_down);
+    }
+    image->width = view->width;
+    image->height = view->height;
+    image->channels = opaque ? 3 : 4;
+    image->alpha = opaque ? -1 : 3;
+    image->straight = !opaque && o->format != IMAGE_OPENEXR;
+    image->sample = o->format == IMAGE_OPENEXR ? IMAGE_HALF : IMAGE_U8;
+    return image_fits(image, o->format, err) && image_allocate(image, err);
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* picture_options - what the programs share that make pictures of pixels: their size, colours and
+ * file. A tool has PICTURE_OPTIONS last in its table, hands their keys to picture_option, calls
+ * picture_options_end after the last, and picture_begin when it knows what is to be seen. */
+#ifndef PICTURE_OPTIONS_H
+#define PICTURE_OPTIONS_H
+
+#include "cli.h"
+#include "image_io.h"
+#include "viewport.h"
+
+enum {
+    PICTURE_KEY = 340,
+    PICTURE_SIZE = PICTURE_KEY,
+    PICTURE_SCALE,
+    PICTURE_Y_DOWN,
+    PICTURE_ANTIALIAS,
+    PICTURE_BACKGROUND,
+    PICTURE_TO,
+};
+
+/* clang-format off */
+#define PICTURE_OPTIONS                                                                            \
+    {PICTURE_SIZE, "size", "WxH", "of the picture (default: 800 pixels along the longer side)"},   \
+    {PICTURE_SCALE, "scale", "S", "or pixels a unit"},                                             \
+    {PICTURE_Y_DOWN, "y-down", NULL, "the world's y grows downwards"},                             \
+    {PICTURE_ANTIALIAS, "antialias", "N", "N x N samples a pixel, 1..16 (default 4)"},             \
+    {PICTURE_BACKGROUND, "background", "C", "colour around (default white; none: transparent)"},   \
+    {PICTURE_TO, "to", "FORMAT", "png, tiff, exr or pnm (default: by the name of -o, else png)"},  \
+    {'o', "output", "FILE", "write to FILE instead of stdout"}
+/* clang-format on */
+
+struct picture_options {
+    const char *output;
+    enum image_format format;
+    bool has_size, has_scale, y_down;
+    uint32_t size[2];
+    double scale;
+    int64_t antialias;
+    uint32_t background; /* 0xRRGGBBAA */
+    int to;              /* private */
+};
+
+void picture_options_init(struct picture_options *o);
+
+/* Is this key one of them? */
+static inline bool picture_option_is(int key) {
+    return key == 'o' || (key >= PICTURE_KEY && key <= PICTURE_TO);
+}
+
+/* Takes the current option of cli, whose key this is. */
+bool picture_option(struct picture_options *o, const struct cli *cli, int key,
+                    struct err *err) WARN_UNUSED;
+
+/* Checks what goes together, and the file: before long work. */
+bool picture_options_end(struct picture_options *o, const struct cli *cli,
+                         struct err *err) WARN_UNUSED;
+
+/* Where the pixels of a picture of this box lie, and an image for them: RGB, or RGBA unless the
+ * background is opaque; of 8 bits, or of halves for OpenEXR. */
+bool picture_begin(const struct picture_options *o, const double lo[2], const double hi[2],
+                   struct viewport *view, struct image *image, struct err *err) WARN_UNUSED;
+
+/* The current option's value as a colour. */
+bool picture_colour(const struct cli *cli, uint32_t *colour, struct err *err) WARN_UNUSED;
+
+#endif
