@@ -5,6 +5,7 @@
 
 #include "dd.h"
 #include "mem.h"
+#include "segment.h"
 #include "sides.h"
 
 #include <math.h>
@@ -42,14 +43,9 @@ static double area2(const double (*v)[2], size_t n) {
     return sum.hi;
 }
 
-static double length(const double a[2], const double b[2]) {
-    double x = b[0] - a[0], y = b[1] - a[1];
-    return sqrt(x * x + y * y);
-}
-
 static double perimeter(const double (*v)[2], size_t n) {
     double sum = 0;
-    for (size_t i = 0; i < n; i++) sum += length(v[i], v[i + 1 < n ? i + 1 : 0]);
+    for (size_t i = 0; i < n; i++) sum += segment_length(v[i], v[i + 1 < n ? i + 1 : 0]);
     return sum;
 }
 
@@ -121,7 +117,7 @@ static bool fill(struct cage *c, const double (*vertex)[2], struct err *err) {
 
 static bool measure(struct cage *c, struct err *err) {
     const struct polygon *g = &c->polygon;
-    c->diameter = length(g->lo, g->hi);
+    c->diameter = segment_length(g->lo, g->hi);
     if (!(c->diameter >= DIAMETER_MIN && c->diameter <= DIAMETER_MAX))
         return err_set(err, ERR_REFUSAL, "the diameter of the cage, %.9g, is not in %g..%g",
                        c->diameter, DIAMETER_MIN, DIAMETER_MAX);
@@ -173,43 +169,15 @@ void cage_free(struct cage *c) {
     *c = (struct cage){0};
 }
 
-/* From the nearer end, so that both are exact and the sense of the side does not matter. */
 void cage_point(const struct cage *c, uint32_t side, double lambda, double p[2]) {
-    const double *a = c->vertex[side], *b = c->vertex[cage_next(c, side)];
-    for (int k = 0; k < 2; k++)
-        p[k] = lambda <= 0.5 ? a[k] + lambda * (b[k] - a[k]) : b[k] - (1 - lambda) * (b[k] - a[k]);
+    segment_point(c->vertex[side], c->vertex[cage_next(c, side)], lambda, p);
 }
 
-/* The foot of the perpendicular from p, in [0,1]. */
-static double foot(const struct cage *c, uint32_t side, const double p[2]) {
-    const double *a = c->vertex[side], *b = c->vertex[cage_next(c, side)];
-    double x = b[0] - a[0], y = b[1] - a[1];
-    double lambda = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
-    return fmin(fmax(lambda, 0), 1);
-}
-
-/* The side nearest to p, and its distance. */
-static double nearest(const struct cage *c, const double p[2], uint32_t *side) {
-    double best = INFINITY;
-    for (uint32_t k = 0; k < c->count; k++) {
-        double q[2], d;
-        cage_point(c, k, foot(c, k, p), q);
-        d = length(p, q);
-        if (d < best) best = d, *side = k;
-    }
-    return best;
-}
-
-static double tolerance(const struct cage *c) {
+double cage_rounding(const struct cage *c) {
     const struct polygon *g = &c->polygon;
     double largest =
         fmax(fmax(fabs(g->lo[0]), fabs(g->hi[0])), fmax(fabs(g->lo[1]), fabs(g->hi[1])));
     return ROUNDING * largest;
-}
-
-/* Is p further than d from the bounding box? */
-static bool is_far(const struct polygon *g, const double p[2], double d) {
-    return p[0] < g->lo[0] - d || p[0] > g->hi[0] + d || p[1] < g->lo[1] - d || p[1] > g->hi[1] + d;
 }
 
 /* The end of a side is the beginning of the next. */
@@ -219,17 +187,20 @@ static void begin_at_vertex(const struct cage *c, uint32_t *side, double *lambda
     *lambda = 0;
 }
 
+double cage_foot(const struct cage *c, uint32_t *side, const double p[2]) {
+    double lambda;
+    (void)segment_distance2(c->vertex[*side], c->vertex[cage_next(c, *side)], p, &lambda);
+    begin_at_vertex(c, side, &lambda);
+    return lambda;
+}
+
 enum cage_where cage_find(const struct cage *c, const double p[2], uint32_t *side, double *lambda) {
     size_t edge = 0;
     int inside = polygon_find(&c->polygon, p, &edge);
     if (inside > 0) return CAGE_INSIDE;
+    if (inside < 0 && !polygon_near(&c->polygon, p, cage_rounding(c), &edge)) return CAGE_OUTSIDE;
     *side = (uint32_t)edge;
-    if (inside < 0) {
-        double limit = tolerance(c);
-        if (is_far(&c->polygon, p, limit) || nearest(c, p, side) > limit) return CAGE_OUTSIDE;
-    }
-    *lambda = foot(c, *side, p);
-    begin_at_vertex(c, side, lambda);
+    *lambda = cage_foot(c, side, p);
     return CAGE_ON;
 }
 

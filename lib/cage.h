@@ -47,9 +47,16 @@ enum cage_where { CAGE_OUTSIDE, CAGE_ON, CAGE_INSIDE };
 
 /* Where a finite point lies. On the cage are points of a side, exactly, and points outside no
  * further away than rounding takes a point computed on one: 2^-48 of the largest coordinate; they
- * belong to the nearest side, and *side, *lambda say where. A vertex is lambda = 0. Near O(1), but
- * O(count) for points that lie outside. */
+ * belong to the nearest side, and *side, *lambda say where. A vertex is lambda = 0. Cost: as
+ * polygon_side. */
 enum cage_where cage_find(const struct cage *c, const double p[2], uint32_t *side, double *lambda);
+
+/* How far rounding may move a point: 2^-48 of the largest coordinate. */
+double cage_rounding(const struct cage *c);
+
+/* lambda of the point of a side that is nearest to p; at the end of the side, the next side and 0.
+ */
+double cage_foot(const struct cage *c, uint32_t *side, const double p[2]);
 
 /* Exactly: is p inside or on the cage? */
 static inline bool cage_has(const struct cage *c, const double p[2]) {

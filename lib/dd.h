@@ -21,7 +21,7 @@ struct dd {
 };
 
 struct td {
-    double s[3]; /* falling magnitudes; they overlap between td_add_product and td_renormalise */
+    double s[3]; /* falling magnitudes; they overlap between td_add and td_renormalise */
 };
 
 /* a + b = hi + lo exactly, hi = fl(a + b). Knuth: no condition on |a|, |b|. */
@@ -80,14 +80,18 @@ static inline struct dd dd_mul(struct dd a, struct dd b) {
     return dd_fast_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/* a + the products of a sum, a * b each: error below n * 2^-156 of the largest term for n terms,
- * also where the sum cancels. */
-static inline void td_add_product(struct td *sum, double a, double b) {
-    struct dd p = dd_two_prod(a, b);
+/* a + a sum of exact pairs: error below n * 2^-156 of the largest term for n terms, also where the
+ * sum cancels. */
+static inline void td_add(struct td *sum, struct dd p) {
     struct dd s0 = dd_two_sum(sum->s[0], p.hi);
     struct dd s1 = dd_two_sum(sum->s[1], p.lo);
     struct dd carry = dd_two_sum(s1.hi, s0.lo);
     *sum = (struct td){{s0.hi, carry.hi, sum->s[2] + (s1.lo + carry.lo)}};
+}
+
+/* The same for products a * b. */
+static inline void td_add_product(struct td *sum, double a, double b) {
+    td_add(sum, dd_two_prod(a, b));
 }
 
 /* Makes s[0] the rounded sum and s[1] the rounded rest. The second round is for sums that

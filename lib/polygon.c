@@ -16,6 +16,7 @@
 
 #include "mem.h"
 #include "predicate.h"
+#include "segment.h"
 
 #include <string.h>
 
@@ -133,6 +134,30 @@ int polygon_find(const struct polygon *g, const double p[2], size_t *edge) {
 int polygon_side(const struct polygon *g, const double p[2]) {
     size_t edge;
     return polygon_find(g, p, &edge);
+}
+
+/* Edges of several bands are met several times. */
+bool polygon_near(const struct polygon *g, const double p[2], double limit, size_t *edge) {
+    double best = limit * limit;
+    bool found = false;
+    if (!between(p[0], g->lo[0] - limit, g->hi[0] + limit) ||
+        !between(p[1], g->lo[1] - limit, g->hi[1] + limit))
+        return false;
+    size_t end = g->band_start[band_of(g, p[1] + limit) + 1];
+    for (size_t at = g->band_start[band_of(g, p[1] - limit)]; at < end; at++) {
+        size_t i = g->band_edge[at];
+        const double *a = g->point[i], *b = g->point[g->next[i]];
+        double lambda, d;
+        if ((p[0] < a[0] - limit && p[0] < b[0] - limit) ||
+            (p[0] > a[0] + limit && p[0] > b[0] + limit))
+            continue;
+        d = segment_distance2(a, b, p, &lambda);
+        if (d > best || (found && d == best && i >= *edge)) continue;
+        found = true;
+        best = d;
+        *edge = i;
+    }
+    return found;
 }
 
 static bool precedes(const double a[2], const double b[2]) {

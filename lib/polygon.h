@@ -36,6 +36,10 @@ int polygon_side(const struct polygon *g, const double p[2]);
  * that p lies on. */
 int polygon_find(const struct polygon *g, const double p[2], size_t *edge);
 
+/* Of the edges that p is no further from than `limit`, the nearest; the lowest of several. False:
+ * there is none. Distances are rounded. */
+bool polygon_near(const struct polygon *g, const double p[2], double limit, size_t *edge);
+
 /* The first of a loop's points that are lowest by (x, y). */
 size_t polygon_lowest(const struct polygon *g, size_t loop);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A sign is computed in doubles together with a bound of its error (the bound of predicate_side is
- * proved in the header, that of predicate_orient below). Only where the bound does not separate it
- * from zero, the same expression is evaluated exactly: in GMP rationals, every double being one. */
+/* A sign is computed in doubles together with a bound of its error (proved in the header). Only
+ * where the bound does not separate it from zero, the same expression is evaluated exactly: in GMP
+ * rationals, every double being one. */
 #include "predicate.h"
 
 #include "dd.h"
@@ -53,14 +53,16 @@ int predicate_side(const struct lattice *lattice, const int32_t a[2], const int3
     return exact_side(lattice, a, b, p);
 }
 
-/* Sets q to the exact (p - a) * (r - b). */
-static void exact_product(mpq_t q, double p, double a, double r, double b) {
+/* Sets q to the exact (p - a) * (r + s - b). */
+static void exact_product(mpq_t q, double p, double a, double r, double s, double b) {
     mpq_t second, term;
     mpq_inits(second, term, NULL);
     mpq_set_d(q, p);
     mpq_set_d(term, a);
     mpq_sub(q, q, term);
     mpq_set_d(second, r);
+    mpq_set_d(term, s);
+    mpq_add(second, second, term);
     mpq_set_d(term, b);
     mpq_sub(second, second, term);
     mpq_mul(q, q, second);
@@ -88,27 +90,28 @@ static bool compare_products(const double l[2][2], const double r[2][2], int *si
     return true;
 }
 
-static int compare_exactly(const double l[2][2], const double r[2][2]) {
+int predicate_orient_sum(const double a[2], const double b[2], const double c[2],
+                         const double rest[2]) {
+    double bound, det = predicate_orient_filter(a, b, c, rest, &bound);
     mpq_t left, right;
     int sign;
+    if (det > bound) return 1;
+    if (det < -bound) return -1;
     mpq_inits(left, right, NULL);
-    exact_product(left, l[0][1], l[0][0], l[1][1], l[1][0]);
-    exact_product(right, r[0][1], r[0][0], r[1][1], r[1][0]);
+    exact_product(left, b[0], a[0], c[1], rest[1], a[1]);
+    exact_product(right, b[1], a[1], c[0], rest[0], a[0]);
     sign = mpq_cmp(left, right);
     mpq_clears(left, right, NULL);
     return (sign > 0) - (sign < 0);
 }
 
-/* det = (bx-ax)(cy-ay) - (by-ay)(cx-ax). The four differences carry a relative error u each, the
- * products and the last difference another: |error| <= 4u (|l| + |r|) to first order, plus half of
- * the least subnormal for a product that underflows. */
 int predicate_orient(const double a[2], const double b[2], const double c[2]) {
-    double l = (b[0] - a[0]) * (c[1] - a[1]), r = (b[1] - a[1]) * (c[0] - a[0]);
-    double det = l - r, bound = 0x1p-50 * (fabs(l) + fabs(r)) + 0x1p-1072;
+    static const double none[2] = {0, 0};
     const double left[2][2] = {{a[0], b[0]}, {a[1], c[1]}},
                  right[2][2] = {{a[1], b[1]}, {a[0], c[0]}};
+    double bound, det = predicate_orient_filter(a, b, c, none, &bound);
     int sign;
     if (det > bound) return 1;
     if (det < -bound) return -1;
-    return compare_products(left, right, &sign) ? sign : compare_exactly(left, right);
+    return compare_products(left, right, &sign) ? sign : predicate_orient_sum(a, b, c, none);
 }

@@ -25,6 +25,10 @@ int predicate_side(const struct lattice *lattice, const int32_t a[2], const int3
 /* The same for three world points. */
 int predicate_orient(const double a[2], const double b[2], const double c[2]);
 
+/* The same where the third point is the exact sum of c and rest. */
+int predicate_orient_sum(const double a[2], const double b[2], const double c[2],
+                         const double rest[2]);
+
 /* The filter of predicate_side, for inner loops: an approximation of
  *     (Xb - Xa) (py - y0 - step Ya) - (Yb - Ya) (px - x0 - step Xa),
  * twice the area of a, b, p over step. Its sign is right where its magnitude exceeds *bound; *bound
@@ -43,6 +47,20 @@ static inline double predicate_side_filter(const struct lattice *lattice, const 
     *bound = 0x1p-50 * (fabs(dx) * (fabs(p[1]) + fabs(lattice->y0) + fabs(sy)) +
                         fabs(dy) * (fabs(p[0]) + fabs(lattice->x0) + fabs(sx)));
     return dx * ey - dy * ex;
+}
+
+/* The same for predicate_orient_sum: an approximation of (bx-ax)(cy+ry-ay) - (by-ay)(cx+rx-ax),
+ * twice the area of a, b, c + r, where r is at most half an ulp of c. Differences carry a relative
+ * error u, sums with r another: c - a is exact unless it is far larger than r. The products and the
+ * last difference add u each: |error| <= 5u (|l| + |r|) to first order, plus half of the least
+ * subnormal for a product that underflows. */
+static inline double predicate_orient_filter(const double a[2], const double b[2],
+                                             const double c[2], const double rest[2],
+                                             double *bound) {
+    double l = (b[0] - a[0]) * (c[1] - a[1] + rest[1]);
+    double r = (b[1] - a[1]) * (c[0] - a[0] + rest[0]);
+    *bound = 0x1p-50 * (fabs(l) + fabs(r)) + 0x1p-1072;
+    return l - r;
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "testing.h"
 #include "xy_io.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,58 @@ static void random_loops(struct loops *l, uint64_t *state, int size) {
     }
 }
 
+/* The square of the distance from edge a b, in units. */
+static double distance2(const int64_t a[2], const int64_t b[2], int64_t px, int64_t py) {
+    double x = (double)(b[0] - a[0]), y = (double)(b[1] - a[1]), size = x * x + y * y;
+    double dx = (double)(px - a[0]), dy = (double)(py - a[1]);
+    double s = size > 0 ? (dx * x + dy * y) / size : 0;
+    s = s < 0 ? 0 : s > 1 ? 1 : s;
+    return (dx - s * x) * (dx - s * x) + (dy - s * y) * (dy - s * y);
+}
+
+/* Edges of no length are no edges. */
+static void check_near(const struct polygon *g, const struct loops *l, int64_t px, int64_t py,
+                       double scale, uint64_t seed) {
+    double p[2] = {(double)px * scale, (double)py * scale}, best = INFINITY;
+    size_t edge = SIZE_MAX;
+    bool found;
+    if (scale > 1 || scale < 1) return; /* squares of distances overflow */
+    for (size_t k = 0; k < l->loop_count; k++)
+        for (size_t i = l->start[k]; i < l->start[k + 1]; i++) {
+            const int64_t *a = l->xy[i], *b = l->xy[i + 1 < l->start[k + 1] ? i + 1 : l->start[k]];
+            if (memcmp(a, b, sizeof *l->xy) == 0) return;
+            best = fmin(best, distance2(a, b, px, py));
+        }
+    found = polygon_near(g, p, 1.05, &edge);
+    check_seed(seed, found == (best < 1.05 * 1.05));
+    if (!found) return;
+    const double *a = g->point[edge], *b = g->point[g->next[edge]];
+    const int64_t ia[2] = {(int64_t)a[0], (int64_t)a[1]}, ib[2] = {(int64_t)b[0], (int64_t)b[1]};
+    check_seed(seed, fabs(distance2(ia, ib, px, py) - best) < 1e-12);
+}
+
+/* The sense of a loop is the sign of its area where it is simple; the lowest point is lowest. */
+static void test_sense(void **unused) {
+    (void)unused;
+    for (int n = 0; n < test_count(300); n++) {
+        uint64_t seed = (uint64_t)n, state = seed;
+        struct loops l = {1, {0, 3}, {{0}}};
+        struct polygon g;
+        int64_t area;
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < 2; c++) l.xy[i][c] = random_in(&state, 0, 4);
+        area = (l.xy[1][0] - l.xy[0][0]) * (l.xy[2][1] - l.xy[0][1]) -
+               (l.xy[1][1] - l.xy[0][1]) * (l.xy[2][0] - l.xy[0][0]);
+        build(&g, &l, 1);
+        check_seed(seed, polygon_sense(&g, 0) == (area > 0) - (area < 0));
+        size_t low = polygon_lowest(&g, 0);
+        for (int i = 0; i < 3; i++)
+            check_seed(seed, l.xy[low][0] < l.xy[i][0] ||
+                                 (l.xy[low][0] == l.xy[i][0] && l.xy[low][1] <= l.xy[i][1]));
+        polygon_free(&g);
+    }
+}
+
 static void test_random(void **unused) {
     static const double scales[] = {1, 0x1p-1000, 0x1p1000, 0.1};
     (void)unused;
@@ -68,6 +121,7 @@ static void test_random(void **unused) {
             for (int64_t y = -1; y <= size + 1; y++) {
                 double p[2] = {(double)x * scale, (double)y * scale};
                 check_seed(seed, polygon_side(&g, p) == brute(&l, x, y));
+                check_near(&g, &l, x, y, scale, seed);
             }
         polygon_free(&g);
     }
@@ -180,7 +234,8 @@ static void test_refusals(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_exact),    cmocka_unit_test(test_comb),
+        cmocka_unit_test(test_random), cmocka_unit_test(test_sense),
+        cmocka_unit_test(test_exact),  cmocka_unit_test(test_comb),
         cmocka_unit_test(test_read),   cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

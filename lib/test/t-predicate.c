@@ -23,19 +23,29 @@ static int sign_of(mpq_t a[2], mpq_t b[2], mpq_t c[2]) {
     return (sign > 0) - (sign < 0);
 }
 
-static int exact_orient(const double a[2], const double b[2], const double c[2]) {
-    mpq_t q[3][2];
+/* Of a, b and the sum of c and rest. */
+static int exact_orient_sum(const double a[2], const double b[2], const double c[2],
+                            const double rest[2]) {
+    mpq_t q[3][2], r;
     int sign;
+    mpq_init(r);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++) mpq_init(q[i][k]);
         mpq_set_d(q[0][k], a[k]);
         mpq_set_d(q[1][k], b[k]);
         mpq_set_d(q[2][k], c[k]);
+        mpq_set_d(r, rest[k]);
+        mpq_add(q[2][k], q[2][k], r);
     }
     sign = sign_of(q[0], q[1], q[2]);
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) mpq_clear(q[i][k]);
+    mpq_clear(r);
     return sign;
+}
+
+static int exact_orient(const double a[2], const double b[2], const double c[2]) {
+    return exact_orient_sum(a, b, c, (const double[]){0, 0});
 }
 
 static int exact_side(const struct lattice *lattice, const int32_t a[2], const int32_t b[2],
@@ -146,6 +156,30 @@ static void orient(void **unused) {
     (void)unused;
 }
 
+/* The nearest double to a point of the line, and what is missing, or not quite that. */
+static void orient_sum(void **unused) {
+    int n = test_count(40000), zeros = 0;
+    for (int i = 0; i < n; i++) {
+        uint64_t seed = (uint64_t)i, s = seed;
+        double a[2], b[2], c[2], rest[2], d, t = (double)random_in(&s, 1, 15) / 16;
+        for (int k = 0; k < 2; k++) {
+            a[k] = ldexp(random_unit(&s) - 0.5, (int)random_in(&s, 0, 8));
+            b[k] = a[k] + ldexp((double)random_in(&s, -1024, 1024), (int)random_in(&s, -60, 0));
+            d = t * (b[k] - a[k]); /* exact, as b - a has few bits or is one double */
+            c[k] = a[k] + d;
+            rest[k] = d - (c[k] - a[k]);
+            if (random_in(&s, 0, 3) == 0) rest[k] = ulps_away(rest[k], random_in(&s, -1, 1));
+            rest[k] = fmax(fmin(rest[k], fabs(c[k]) * 0x1p-54), -fabs(c[k]) * 0x1p-54);
+        }
+        int sign = exact_orient_sum(a, b, c, rest);
+        zeros += sign == 0;
+        check_seed(seed, predicate_orient_sum(a, b, c, rest) == sign);
+        check_seed(seed, predicate_orient_sum(b, a, c, rest) == -sign);
+    }
+    assert_true(zeros > n / 20);
+    (void)unused;
+}
+
 static void area2(void **unused) {
     const int32_t m = 1 << 24, a[2] = {-m, -m}, b[2] = {m, -m}, c[2] = {m, m}, d[2] = {0, 1};
     assert_int_equal(predicate_area2(a, b, c), (int64_t)1 << 50);
@@ -157,9 +191,8 @@ static void area2(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(side_near_edges),
-        cmocka_unit_test(side_of_extremes),
-        cmocka_unit_test(orient),
+        cmocka_unit_test(side_near_edges), cmocka_unit_test(side_of_extremes),
+        cmocka_unit_test(orient),          cmocka_unit_test(orient_sum),
         cmocka_unit_test(area2),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
