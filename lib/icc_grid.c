@@ -2,6 +2,7 @@
 #include "icc_grid.h"
 
 #include "mem.h"
+#include "segment.h"
 
 static const double (*vertices(const struct cage *cage))[2] {
     return (const double(*)[2])cage->vertex;
@@ -107,29 +108,21 @@ bool icc_grid_init(struct icc_grid *g, const struct cage *cage, const struct icc
 /* ---- coordinates ------------------------------------------------------------------------------
  */
 
-static double distance(const double a[2], const double b[2]) {
-    double x = b[0] - a[0], y = b[1] - a[1];
-    return sqrt(x * x + y * y);
-}
-
 /* The nearest place on the cage from a point in grid coordinates, and how far it is. O(sides). */
 static double nearest_place(const struct icc_grid *g, const double grid[2],
                             struct icc_place *place) {
     double p[2], best = INFINITY;
     icc_domain_to_world(&g->domain, grid, p);
     for (uint32_t side = 0; side < g->cage->count; side++) {
-        const double *a = g->cage->vertex[side], *b = g->cage->vertex[cage_next(g->cage, side)];
-        double x = b[0] - a[0], y = b[1] - a[1], q[2], d;
-        double lambda = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
-        lambda = fmin(fmax(lambda, 0), 1);
-        cage_point(g->cage, side, lambda, q);
-        d = distance(p, q);
+        double lambda, d;
+        d = segment_distance2(g->cage->vertex[side], g->cage->vertex[cage_next(g->cage, side)], p,
+                              &lambda);
         if (!(d < best)) continue;
         best = d;
         place->side = side;
         place->lambda = lambda;
     }
-    return best / g->domain.h;
+    return sqrt(best) / g->domain.h;
 }
 
 /* Up to the maximum, straight from where it gets stuck. */

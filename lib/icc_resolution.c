@@ -2,6 +2,7 @@
 #include "icc_resolution.h"
 
 #include "mem.h"
+#include "segment.h"
 
 #include <stdio.h>
 
@@ -96,11 +97,6 @@ void icc_failure_describe(enum icc_test test, const struct icc_failures *failure
 /* ---- width ------------------------------------------------------------------------------------
  */
 
-static double length(const double a[2], const double b[2]) {
-    double x = b[0] - a[0], y = b[1] - a[1];
-    return sqrt(x * x + y * y);
-}
-
 /* What is measured: way[k] is the way along the cage from vertex 0 to vertex k. */
 struct measure {
     const struct icc_domain *d;
@@ -112,11 +108,9 @@ static double narrow(const struct measure *m, size_t vertex, uint32_t side) {
     const struct icc_domain *d = m->d;
     const double *p = d->cage[vertex], *a = d->cage[side];
     const double *b = d->cage[side + 1 < d->count ? side + 1 : 0];
-    double x = b[0] - a[0], y = b[1] - a[1];
-    double lambda = ((p[0] - a[0]) * x + (p[1] - a[1]) * y) / (x * x + y * y);
-    lambda = fmin(fmax(lambda, 0), 1);
-    double q[2] = {a[0] + lambda * x, a[1] + lambda * y};
-    double distance = length(p, q), way = fabs(m->way[vertex] - (m->way[side] + length(a, q)));
+    double q[2], lambda, way, distance = sqrt(segment_distance2(a, b, p, &lambda));
+    segment_point(a, b, lambda, q);
+    way = fabs(m->way[vertex] - (m->way[side] + segment_length(a, q)));
     way = fmin(way, m->way[d->count] - way);
     return distance > 0 && way > DETOUR * distance ? distance : INFINITY;
 }
@@ -144,7 +138,7 @@ bool icc_width(const double (*vertex)[2], size_t count, double limit, double *wi
               mem_new(way, count + 1, err);
     if (ok) {
         for (size_t k = 0; k < count; k++)
-            way[k + 1] = way[k] + length(d.cage[k], d.cage[k + 1 < count ? k + 1 : 0]);
+            way[k + 1] = way[k] + segment_length(d.cage[k], d.cage[k + 1 < count ? k + 1 : 0]);
         *width = limit * narrowest(&(struct measure){&d, way}, &cells);
     }
     free(way);

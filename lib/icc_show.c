@@ -2,11 +2,17 @@
 #include "icc_show.h"
 
 #include "mem.h"
+#include "segment.h"
 
 #include <string.h>
 
 const char *const icc_show_names[] = {"grid",      "values", "tree",  "grassfire",
                                       "triangles", "edges",  "image", NULL};
+
+bool icc_show_has(enum icc_show what, bool method_grid) {
+    bool of_both = what == ICC_SHOW_GRID || what == ICC_SHOW_VALUES || what == ICC_SHOW_TRIANGLES;
+    return of_both || (what == ICC_SHOW_IMAGE) != method_grid;
+}
 
 struct show {
     const struct icc_grid *g;
@@ -154,17 +160,11 @@ bool icc_show_grid(const struct icc_grid *g, enum icc_show what, struct polyline
     return ok;
 }
 
-static double side_length(const struct cage *cage, uint32_t side) {
-    const double *a = cage->vertex[side], *b = cage->vertex[cage_next(cage, side)];
-    double x = b[0] - a[0], y = b[1] - a[1];
-    return sqrt(x * x + y * y);
-}
-
 struct icc_place icc_show_place(const struct cage *cage, size_t i, size_t count) {
     double way = cage->perimeter * ((double)i / (double)count), length;
     uint32_t side = 0;
     for (;; side++) {
-        length = side_length(cage, side);
+        length = segment_length(cage->vertex[side], cage->vertex[cage_next(cage, side)]);
         if (way < length || side + 1 == cage->count) break;
         way -= length;
     }
@@ -186,7 +186,8 @@ static bool show_line(struct show *s, size_t i, size_t count) {
     return true;
 }
 
-bool icc_show_lines(const struct icc_grid *g, size_t count, struct polylines *p, struct err *err) {
+bool icc_show_grid_lines(const struct icc_grid *g, size_t count, struct polylines *p,
+                         struct err *err) {
     struct show s = {.g = g, .maker = {.p = p}, .err = err};
     bool ok = true;
     *p = (struct polylines){0};

@@ -10,6 +10,7 @@
 
 #include "mem.h"
 #include "predicate.h"
+#include "segment.h"
 
 #define NEAR 0x1p-30 /* cells: a start as near to a side is on it */
 
@@ -162,14 +163,8 @@ static bool crosses(const struct icc_domain *d, uint32_t side, const double p[2]
 
 static double distance_to_side(const struct icc_domain *d, uint32_t side, const double p[2],
                                double *lambda) {
-    const double *a = d->cage[side], *b = d->cage[side + 1 < d->count ? side + 1 : 0];
-    double ab[2], ap[2], x, y;
-    minus(b, a, ab);
-    minus(p, a, ap);
-    *lambda = fmin(fmax((ap[0] * ab[0] + ap[1] * ab[1]) / (ab[0] * ab[0] + ab[1] * ab[1]), 0), 1);
-    x = ap[0] - *lambda * ab[0];
-    y = ap[1] - *lambda * ab[1];
-    return sqrt(x * x + y * y);
+    return sqrt(
+        segment_distance2(d->cage[side], d->cage[side + 1 < d->count ? side + 1 : 0], p, lambda));
 }
 
 static bool starts_at(const struct walk *w, uint32_t side) {
@@ -476,28 +471,24 @@ void icc_line_free(struct icc_line *line) {
 
 double icc_line_length(const struct icc_line *line) {
     double sum = 0;
-    for (size_t i = 1; i < line->count; i++) {
-        double x = line->point[i][0] - line->point[i - 1][0];
-        double y = line->point[i][1] - line->point[i - 1][1];
-        sum += sqrt(x * x + y * y);
-    }
+    for (size_t i = 1; i < line->count; i++)
+        sum += segment_length(line->point[i - 1], line->point[i]);
     return sum;
 }
 
 size_t icc_line_at(const struct icc_line *line, double distance, double p[2]) {
-    for (size_t i = 0; i + 1 < line->count; i++) {
-        const double *a = line->point[i], *b = line->point[i + 1];
-        double x = b[0] - a[0], y = b[1] - a[1], step = sqrt(x * x + y * y);
+    size_t last = line->count - 1;
+    for (size_t i = 0; i < last; i++) {
+        double step = segment_length(line->point[i], line->point[i + 1]);
         if (distance < step) {
-            p[0] = a[0] + distance / step * x;
-            p[1] = a[1] + distance / step * y;
+            segment_point(line->point[i], line->point[i + 1], distance / step, p);
             return i;
         }
         distance -= step;
     }
-    p[0] = line->point[line->count - 1][0];
-    p[1] = line->point[line->count - 1][1];
-    return line->count - 1;
+    p[0] = line->point[last][0];
+    p[1] = line->point[last][1];
+    return last;
 }
 
 enum icc_edge icc_edge_kind(const struct icc_field *f, uint32_t v, int which) {

@@ -143,7 +143,7 @@ static void integral_lines(void **state) {
     (void)state;
     scene_init(&s, 5, ICC_COUSIN);
     icc_domain_vertex(&s.g.domain, s.g.function.maximum, top);
-    assert_true(icc_show_lines(&s.g, 40, &p, &err));
+    assert_true(icc_show_grid_lines(&s.g, 40, &p, &err));
     assert_int_equal(p.line_count, 40);
     for (size_t l = 0; l < 40; l++) {
         const double *first = p.point[p.start[l]], *last = p.point[p.start[l + 1] - 1];
@@ -156,6 +156,94 @@ static void integral_lines(void **state) {
     }
     polylines_free(&p);
     scene_free(&s);
+}
+
+/* ---- method ray -------------------------------------------------------------------------------
+ */
+
+struct ray_scene {
+    struct cage cage;
+    struct icc_ray r;
+};
+
+static void ray_scene_init(struct ray_scene *s, uint64_t seed) {
+    double vertex[14][2];
+    struct err err = {0};
+    random_cage(vertex, 14, 0.7, &seed);
+    assert_true(cage_init(&s->cage, (const double(*)[2])vertex, 14, &err));
+    assert_true(icc_ray_init(&s->r, &s->cage, NULL, 300, &err));
+    assert_true(icc_ray_prepare(&s->r, ICC_RAY_LOOK_UP, &err));
+}
+
+static void ray_scene_free(struct ray_scene *s) {
+    icc_ray_free(&s->r);
+    cage_free(&s->cage);
+}
+
+static double area_of(const struct polylines *p, const char *name) {
+    double twice = 0;
+    for (size_t l = 0; l < p->line_count; l++) {
+        if (strcmp(p->name[p->name_of[l]], name) != 0) continue;
+        for (size_t i = p->start[l]; i + 1 < p->start[l + 1]; i++)
+            twice += p->point[i][0] * p->point[i + 1][1] - p->point[i][1] * p->point[i + 1][0];
+    }
+    return twice / 2;
+}
+
+/* Triangles cover the cage, and their images the disk. */
+static void ray_triangles(void **state) {
+    struct ray_scene s;
+    struct polylines p;
+    struct err err = {0};
+    (void)state;
+    ray_scene_init(&s, 7);
+    assert_true(icc_show_ray(&s.r, ICC_SHOW_TRIANGLES, &p, &err));
+    assert_int_equal(p.line_count, s.r.mesh.mesh.triangle_count);
+    assert_true(fabs(area_of(&p, "triangle") / s.cage.area - 1) < 1e-12);
+    polylines_free(&p);
+    assert_true(icc_show_ray(&s.r, ICC_SHOW_IMAGE, &p, &err));
+    assert_int_equal(named(&p, "maximum"), 1);
+    assert_true(fabs(area_of(&p, "triangle") / area_of(&p, "disk") - 1) < 1e-9);
+    polylines_free(&p);
+    assert_true(icc_show_ray(&s.r, ICC_SHOW_VALUES, &p, &err));
+    assert_int_equal(p.line_count, s.r.mesh.mesh.vertex_count);
+    assert_true(p.range[0] >= -2 && p.range[0] < 0 && p.range[1] == 0);
+    polylines_free(&p);
+    assert_true(icc_show_ray(&s.r, ICC_SHOW_GRID, &p, &err));
+    assert_int_equal(named(&p, "outside"), s.r.mesh.rim_count);
+    assert_int_equal(named(&p, "maximum"), 1);
+    polylines_free(&p);
+    ray_scene_free(&s);
+}
+
+/* All points of a line have its place, and t falls from 1 to 0. */
+static void ray_lines(void **state) {
+    enum { LINES = 60 };
+    (void)state;
+    for (uint64_t seed = 1; seed <= (uint64_t)test_count(8); seed++) {
+        struct ray_scene s;
+        struct polylines p;
+        struct err err = {0};
+        struct icc_ray_cursor cursor = {0};
+        ray_scene_init(&s, seed);
+        assert_true(icc_show_ray_lines(&s.r, LINES, &p, &err));
+        for (size_t l = 0; l < LINES; l++) {
+            struct icc_place place = icc_show_place(&s.cage, l, LINES), at;
+            double before = 1;
+            check_seed(seed, p.start[l + 1] - p.start[l] >= 2);
+            for (size_t i = p.start[l]; i < p.start[l + 1]; i++) {
+                check_seed(seed, icc_ray_coordinates(&s.r, &cursor, p.point[i], &at));
+                if (at.t > 1e-3 && place.lambda > 1e-9 && place.lambda < 1 - 1e-9)
+                    check_seed(seed,
+                               at.side == place.side && fabs(at.lambda - place.lambda) < 1e-9);
+                check_seed(seed, at.t <= before + 1e-12);
+                before = at.t;
+            }
+            check_seed(seed, before < 1e-9);
+        }
+        polylines_free(&p);
+        ray_scene_free(&s);
+    }
 }
 
 /* At equal distances along the cage. */
@@ -177,9 +265,10 @@ static void places(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dots),      cmocka_unit_test(values_and_tree),
-        cmocka_unit_test(triangles), cmocka_unit_test(unreached),
-        cmocka_unit_test(places),    cmocka_unit_test(integral_lines),
+        cmocka_unit_test(dots),          cmocka_unit_test(values_and_tree),
+        cmocka_unit_test(triangles),     cmocka_unit_test(unreached),
+        cmocka_unit_test(places),        cmocka_unit_test(integral_lines),
+        cmocka_unit_test(ray_triangles), cmocka_unit_test(ray_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -517,8 +517,7 @@ static void any_heights(void **state) {
                     -(double)(3 * random_in(&random, 0, 1 + (int64_t)(seed % 5)) + (i + j) % 3);
         s.function.maximum = 0;
         if (seed % 2) random_inside(&s.domain, from, &random);
-        for (int c = 0; c < 2 && seed % 4 == 1; c++)
-            from[c] = 5 + floor(4 * from[c] - 20) / 8;
+        for (int c = 0; c < 2 && seed % 4 == 1; c++) from[c] = 5 + floor(4 * from[c] - 20) / 8;
         steps += check_line(&s, from, seed % 3 ? ICC_UPHILL : ICC_DOWNHILL, seed);
         scene_free(&s);
     }
