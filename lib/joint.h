@@ -60,6 +60,11 @@ bool joint_settle(struct joint *j, const int digits[2], double slack, struct err
  * are exact, as long as that leaves fewer such triangles. Returns how many are left. */
 bool joint_mend(struct joint *j, size_t *left, struct err *err) WARN_UNUSED;
 
+/* Takes vertices away as long as no triangle becomes larger than max_area in the source, nor less
+ * round than the worst one around the vertex and than 0.02 (plane_map_roundness, in the worse
+ * plane). */
+bool joint_thin(struct joint *j, double max_area, struct err *err) WARN_UNUSED;
+
 /* Hands over the map without what was taken away. */
 bool joint_finish(struct joint *j, struct plane_map *map, struct err *err) WARN_UNUSED;
 

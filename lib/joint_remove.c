@@ -21,10 +21,13 @@
     0x1p-10 /* of the furthest neighbour's distance: so close that another may stand in            \
              */
 
+#define ROUND 0.02 /* round enough; an equilateral triangle has 0.29 */
+
 enum { POLYGON_MAX = JOINT_STAR_MAX + 1 };
 
 struct hole {
     struct joint *j;
+    double max_area, floor; /* of new triangles: their area in the source, their roundness */
     int n;
     uint32_t vertex[POLYGON_MAX];
     uint32_t outer[POLYGON_MAX];   /* half edge beyond the edge from i to i+1, or NONE */
@@ -38,14 +41,20 @@ static double length2(const double a[2], const double b[2]) {
     return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
 }
 
+static double area(const struct joint *j, uint32_t a, uint32_t b, uint32_t c) {
+    const double *p = joint_place(j, 0, a), *q = joint_place(j, 0, b), *r = joint_place(j, 0, c);
+    return ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])) / 2;
+}
+
 /* The lesser roundness of both planes; -1: the triangle is not sound, or not rounder than that. */
 static double judge(struct hole *h, int i, int k, int j, double floor) {
     uint32_t a = h->vertex[i], b = h->vertex[k], c = h->vertex[j];
     double least = INFINITY;
+    if (area(h->j, a, b, c) > h->max_area) return -1;
     for (int m = 0; m < 2; m++)
         least = fmin(least, plane_map_roundness(joint_place(h->j, m, a), joint_place(h->j, m, b),
                                                 joint_place(h->j, m, c)));
-    if (least <= floor) return -1;
+    if (least <= floor || least < h->floor) return -1;
     for (int m = 0; m < 2; m++)
         if (joint_orient(h->j, m, a, b, c) <= 0) return -1;
     return least;
@@ -135,7 +144,7 @@ static uint32_t fill(struct hole *h, int i, int j) {
     return 3 * t + 1;
 }
 
-static void open(struct hole *h, const struct joint_star *star) {
+static void open_star(struct hole *h, const struct joint_star *star) {
     const uint32_t(*triangle)[3] = (const uint32_t(*)[3])h->j->map.triangle;
     for (size_t i = 0; i < star->count; i++) {
         uint32_t at = star->corner[i];
@@ -149,20 +158,65 @@ static void open(struct hole *h, const struct joint_star *star) {
     h->outer[h->n++] = HALFEDGE_NONE;
 }
 
+/* Takes v away, whose star is given; false if that cannot be. */
+static bool try_to_remove(struct hole *h, uint32_t v, const struct joint_star *star) {
+    struct joint *j = h->j;
+    if (star->count > JOINT_STAR_MAX) return false;
+    open_star(h, star);
+    if (h->n < 3 || !(can_be_collapsed(h, v) || can_be_filled(h))) return false;
+    join(h, fill(h, 0, h->n - 1), h->outer[h->n - 1]);
+    while (h->free_count > 0)
+        memset(j->map.triangle[h->free[--h->free_count]], 0xff, sizeof *j->map.triangle);
+    j->corner[v] = JOINT_NONE;
+    return true;
+}
+
 bool joint_remove(struct joint *j, uint32_t v, struct joint_star *star, bool *done,
                   struct err *err) {
-    struct hole h = {.j = j};
-    *done = false;
+    struct hole h; /* large: not to be zeroed each time */
+    h.j = j;
+    h.max_area = INFINITY;
+    h.floor = 0;
     if (!joint_star(j, v, star, err)) return false;
-    if (star->count > JOINT_STAR_MAX) return true;
-    open(&h, star);
-    if (h.n < 3 || !(can_be_collapsed(&h, v) || can_be_filled(&h))) return true;
-    join(&h, fill(&h, 0, h.n - 1), h.outer[h.n - 1]);
-    while (h.free_count > 0)
-        memset(j->map.triangle[h.free[--h.free_count]], 0xff, sizeof *j->map.triangle);
-    j->corner[v] = JOINT_NONE;
-    *done = true;
+    *done = try_to_remove(&h, v, star);
     return true;
+}
+
+/* The largest area in the source and the least roundness of the triangles around v. */
+static void measure(const struct joint *j, const struct joint_star *star, double *most,
+                    double *least) {
+    *most = 0;
+    *least = INFINITY;
+    for (size_t i = 0; i < star->count; i++) {
+        const uint32_t *t = j->map.triangle[star->corner[i] / 3];
+        *most = fmax(*most, area(j, t[0], t[1], t[2]));
+        for (int m = 0; m < 2; m++)
+            *least =
+                fmin(*least, plane_map_roundness(joint_place(j, m, t[0]), joint_place(j, m, t[1]),
+                                                 joint_place(j, m, t[2])));
+    }
+}
+
+bool joint_thin(struct joint *j, double max_area, struct err *err) {
+    struct joint_star star = {0};
+    struct hole h;
+    bool ok = true, progress = true;
+    h.j = j;
+    h.max_area = max_area;
+    while (ok && progress) {
+        progress = false;
+        for (uint32_t v = (uint32_t)j->map.vertex_count; ok && v-- > 0;) {
+            double most;
+            if (j->fixed[v] || j->corner[v] == JOINT_NONE) continue;
+            ok = joint_star(j, v, &star, err);
+            if (!ok) break;
+            measure(j, &star, &most, &h.floor);
+            h.floor = fmin(h.floor, ROUND);
+            if (most <= max_area && try_to_remove(&h, v, &star)) progress = true;
+        }
+    }
+    free(star.corner);
+    return ok;
 }
 
 bool joint_mend(struct joint *j, size_t *left, struct err *err) {

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "icc_plane.h"
+
+static bool refuse(const struct icc_sample_report *r, struct err *err) {
+    return err_set(err, ERR_REFUSAL,
+                   "fold: %zu triangles are turned over, one at (%.9g, %.9g) of the source; method "
+                   "ray has no folds",
+                   r->left, r->where[0], r->where[1]);
+}
+
+/* Is there hope that an overlay does what a sample, refused for that reason, does not? */
+static bool has_hope(const struct icc_plane *p, const struct err *why) {
+    return p->ray[0] && (why->kind == ERR_NONE || why->kind == ERR_REFUSAL) &&
+           p->what.source->area / p->max_area <= ICC_SAMPLE_MAX;
+}
+
+bool icc_plane(struct plane_map *map, const struct icc_plane *p, struct icc_plane_report *report,
+               struct err *err) {
+    struct err why = {0};
+    *report = (struct icc_plane_report){0};
+    bool ok = icc_sample(map, &p->what, p->max_area, p->digits, &report->sample, &why) &&
+              report->sample.left == 0 && plane_map_prove(map, &why);
+    if (ok) return true;
+    plane_map_free(map);
+    if (!has_hope(p, &why)) {
+        if (why.kind == ERR_NONE) return refuse(&report->sample, err);
+        *err = why;
+        return false;
+    }
+    report->overlay = true;
+    ok = icc_overlay(map, p->ray[0], p->ray[1], p->max_area, p->digits, err) &&
+         plane_map_prove(map, err);
+    if (!ok) plane_map_free(map);
+    return ok;
+}
