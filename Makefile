@@ -36,7 +36,7 @@ BENCH   := $(patsubst %,$(BUILD)/bench/%,$(basename $(notdir $(wildcard scripts/
 HEADERS := $(filter-out lib/shim_%,$(wildcard lib/*.h))
 SOURCES := $(wildcard lib/*.[ch] lib/*.cc lib/test/*.[ch] lib/fuzz/*.[ch] tools/*.c scripts/bench/*.c scripts/bench/*.cc)
 
-.PHONY: all tests help unit check check-long bless demo bench figures asan fuzz fuzzers lint format install uninstall dist clean
+.PHONY: all tests help unit check check-long bless demo bench figures picture asan fuzz fuzzers lint format install uninstall dist clean
 all: $(TOOLS) $(LIB)     ## build the programs into build/bin
 
 tests: $(TESTS)          ## build the unit tests into build/test
@@ -64,6 +64,9 @@ bench: all $(BENCH)      ## measure speed and memory against the limits
 
 figures: all             ## make the figures of the papers: build/figures/index.html
 	scripts/figures/run
+
+picture: all             ## make the picture of the README again
+	scripts/worm-omega >/dev/null && cp $(BUILD)/demo/worm-omega.png scripts/figures
 
 asan:                    ## test with AddressSanitizer and UBSan (clang), a quarter of the random cases
 	$(MAKE) BUILD=build/asan CC=clang CXX=clang++ OPT='-O1 -g' \

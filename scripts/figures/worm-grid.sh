@@ -1,5 +1,5 @@
-# title: The worm, its grid and its omega ([11] 4.1)
-# paper: A grid of triangles that surrounds the model's projection; bent, it bends the model.
+# title: The worm, its grid and its omega ([11] 4)
+# paper: A grid of triangles that surrounds the model's projection; prisms over it; bent, they bend the model.
 # seen: The cuticle of C. elegans (Virtual Worm project) instead of the papers' organisms, which are not
 #   public. 40 cells along the body; the eight edits of the demo; where areas grow (red) and shrink (blue).
 worm=$DATA/models/virtual_worm_cuticle.obj
@@ -8,3 +8,5 @@ draw-grid --model "$worm" -o worm-grid-rest.png rest.grid
 decles-edit "$DATA/demo/omega.edits" rest.grid -o bent.grid
 draw-grid --model "$worm" --layers jacobian,triangles,outline -o worm-grid-bent.png bent.grid
 check-grid bent.grid | grep -E '^(local|det-lower|c1-relative)'
+deform-mesh "$worm" bent.grid -o bent.obj
+render-model --grid bent.grid bent.obj -o worm-grid-prisms.png

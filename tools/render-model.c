@@ -1,0 +1,156 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* render-model - a lit picture of a model, with the prisms of a grid around it. */
+#include "cli.h"
+#include "grid_io.h"
+#include "model_options.h"
+#include "num.h"
+#include "obj_io.h"
+#include "palette.h"
+#include "picture_options.h"
+#include "scene_model.h"
+#include "scene_render.h"
+
+#include <string.h>
+
+enum { KEY_VIEW = 256, KEY_SHADE, KEY_GRID, KEY_COMPARE, KEY_PLANE };
+enum { SHADE_SMOOTH, SHADE_FLAT };
+static const uint32_t OWN = 0xd8b48cff, OTHER = 0x4f9f6f70;
+static const char *const shade_names[] = {"smooth", "flat", NULL};
+
+static const struct cli_option options[] = {
+    {KEY_VIEW, "view", "WHICH",
+     "top, oblique (default), or azimuth and elevation AZ,EL in degrees"},
+    {KEY_SHADE, "shade", "HOW", "smooth (default) or flat"},
+    {KEY_GRID, "grid", "GRID", "with the prisms of this grid, as glass"},
+    {KEY_COMPARE, "compare", "MODEL2", "with another model, as glass"},
+    {KEY_PLANE, "plane", "AXES", "the model axes that are x and y (default: the grid's, or xy)"},
+    PICTURE_OPTIONS,
+    {0, NULL, NULL, NULL},
+};
+
+static const struct cli_program program = {
+    .name = "render-model",
+    .synopsis = "[OPTION]... [MODEL]",
+    .options = options,
+    .epilogue = "examples:\n"
+                "  render-model --plane zy worm.obj -o worm.png\n"
+                "  decles-edit bend.edits worm.grid | deform-mesh worm.obj | "
+                "render-model --view top --plane zy --compare worm.obj -o bent.png\n",
+};
+
+struct settings {
+    double azimuth, elevation;
+    int shade;
+    const char *grid, *compare, *model;
+    bool has_plane;
+    int axes[3];
+    struct picture_options picture;
+};
+
+static bool parse_view(const struct cli *cli, struct settings *set, struct err *err) {
+    double angle[2];
+    if (strcmp(cli->value, "top") == 0)
+        angle[0] = 0, angle[1] = 90;
+    else if (strcmp(cli->value, "oblique") == 0)
+        angle[0] = -25, angle[1] = 40;
+    else if (!cli_doubles(cli, 2, angle, err))
+        return cli_bad_value(cli, err, "top, oblique or two angles AZ,EL");
+    if (!(angle[0] >= -3600 && angle[0] <= 3600 && angle[1] >= -90 && angle[1] <= 90))
+        return cli_bad_value(cli, err, "AZ in -3600..3600 and EL in -90..90");
+    set->azimuth = angle[0];
+    set->elevation = angle[1];
+    return true;
+}
+
+static bool set_option(struct settings *set, const struct cli *cli, int key, struct err *err) {
+    if (picture_option_is(key)) return picture_option(&set->picture, cli, key, err);
+    switch (key) {
+    case KEY_VIEW:
+        return parse_view(cli, set, err);
+    case KEY_SHADE:
+        return cli_choice(cli, shade_names, &set->shade, err);
+    case KEY_GRID:
+        set->grid = cli->value;
+        return true;
+    case KEY_COMPARE:
+        set->compare = cli->value;
+        return true;
+    default: /* KEY_PLANE */
+        set->has_plane = true;
+        return model_option_axes(cli, set->axes, err);
+    }
+}
+
+static bool parse(struct cli *cli, struct settings *set, struct err *err) {
+    int key, standard;
+    while ((key = cli_next(cli, err)) >= 0)
+        if (!set_option(set, cli, key, err)) return false;
+    if (key != CLI_END || !cli_check_operands(cli, 0, 1, err)) return false;
+    set->model = cli_operand(cli, 0);
+    standard = (strcmp(set->model, "-") == 0) + (set->grid && strcmp(set->grid, "-") == 0) +
+               (set->compare && strcmp(set->compare, "-") == 0);
+    if (standard > 1)
+        return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", program.name);
+    return picture_options_end(&set->picture, cli, err);
+}
+
+static bool add_grid(struct scene *scene, struct settings *set, struct err *err) {
+    struct grid_file file;
+    const int *axes;
+    bool ok = grid_read(&file, set->grid, err);
+    if (!ok) return false;
+    axes = file.spline.grid.axes;
+    if (set->has_plane && (axes[0] != set->axes[0] || axes[1] != set->axes[1]))
+        ok = err_set(err, ERR_INPUT, "the plane of the grid is %c%c, not %c%c", "xyz"[axes[0]],
+                     "xyz"[axes[1]], "xyz"[set->axes[0]], "xyz"[set->axes[1]]);
+    memcpy(set->axes, axes, sizeof set->axes);
+    ok = ok && scene_add_prisms(scene, &file.spline, 6, err);
+    grid_file_free(&file);
+    return ok;
+}
+
+static bool add_model(struct scene *scene, const struct settings *set, const char *path,
+                      uint32_t colour, struct err *err) {
+    struct model model;
+    bool ok = model_read(&model, path, err);
+    if (!ok) return false;
+    ok = scene_add_model(scene, &model, set->axes, set->shade == SHADE_SMOOTH, colour, err);
+    model_free(&model);
+    return ok;
+}
+
+static bool render(const struct scene *scene, const struct settings *set, struct err *err) {
+    const struct scene_camera camera = scene_camera(set->azimuth, set->elevation);
+    const struct scene_style style = {.antialias = (int)set->picture.antialias,
+                                      .background = set->picture.background};
+    struct viewport view;
+    struct image image;
+    double lo[2], hi[2];
+    bool ok;
+    if (!scene_bounds(scene, &camera, lo, hi, err) ||
+        !picture_begin(&set->picture, lo, hi, &view, &image, err))
+        return false;
+    ok = scene_render(scene, &camera, &view, &style, &image, err) &&
+         image_write(&image, set->picture.format, set->picture.output, err);
+    image_free(&image);
+    return ok;
+}
+
+static void run(struct settings *set, struct err *err) {
+    struct scene scene = {0};
+    if ((!set->grid || add_grid(&scene, set, err)) &&
+        add_model(&scene, set, set->model, OWN, err) &&
+        (!set->compare || add_model(&scene, set, set->compare, OTHER, err)))
+        (void)render(&scene, set, err);
+    scene_free(&scene);
+}
+
+int main(int argc, char **argv) {
+    struct err err = {0};
+    struct cli cli;
+    struct settings set = {.azimuth = -25, .elevation = 40, .axes = {0, 1, 2}};
+    picture_options_init(&set.picture);
+    cli_init(&cli, &program, argc, argv);
+    if (parse(&cli, &set, &err)) run(&set, &err);
+    return cli_finish(&cli, &err);
+}
