@@ -408,6 +408,55 @@ static void test_refusals(void **unused) {
     spline_free(&s);
 }
 
+/* j (j-1) .. (j-n+1) */
+static double falling(int j, int n) {
+    return n == 0 ? 1 : j * falling(j - 1, n - 1);
+}
+
+/* The coefficient of x^a y^b with weights j, k on the triangle with legs 15/8, degree 5; exact. */
+static double coefficient(int a, int b, int j, int k) {
+    double power = 1;
+    for (int i = 0; i < a + b; i++) power *= 15;
+    return ldexp(power * falling(j, a) * falling(k, b) / falling(5, a + b), -3 * (a + b));
+}
+
+/* phi = (x, 3 (x^4 - x^2 + 1/4) y + y^3): det = 3 (x^2 - 1/2)^2 + 3 y^2 is 0 at one irrational
+ * point. An edit that goes nowhere touches it. */
+static void test_undecided(void **unused) {
+    static const int32_t corner[3][2] = {{0, 0}, {15, 0}, {0, 15}};
+    struct grid g = {.degree = 5,
+                     .axes = {0, 1, 2},
+                     .lattice = {0.125, 0, 0},
+                     .vertex_count = 3,
+                     .triangle_count = 1};
+    struct spline s;
+    struct err err;
+    uint32_t q[GRID_PATCH_MAX];
+    (void)unused;
+    g.vertex = malloc(sizeof corner);
+    memcpy(g.vertex, corner, sizeof corner);
+    g.triangle = calloc(1, sizeof *g.triangle);
+    for (uint32_t l = 0; l < 3; l++) g.triangle[0][l] = l;
+    assert_true(grid_build(&g, &err));
+    assert_true(spline_identity(&s, &g, &err));
+    grid_patch(&s.grid, 0, q);
+    for (int row = 0, i = 0; row <= 5; row++)
+        for (int k = 0; k <= row; k++, i++) {
+            int j = row - k;
+            s.phi[q[i]][0] = coefficient(1, 0, j, k);
+            s.phi[q[i]][1] = 3 * (coefficient(4, 1, j, k) - coefficient(2, 1, j, k) +
+                                  0.25 * coefficient(0, 1, j, k)) +
+                             coefficient(0, 3, j, k);
+        }
+    must_refuse(&s, "move 0 by 0 0", NO_FOLD, 0,
+                "move: triangle 0: det grad phi > 0 could not be decided; so it was before the "
+                "edit");
+    must_refuse(&s, "move 0 by 0 0", LIMIT, 0,
+                "move: triangle 0: det grad phi > 0 could not be decided; so it was before the "
+                "edit");
+    spline_free(&s);
+}
+
 /* What folded before: may be mended, must not be touched otherwise, and has no way without folds.
  */
 static void test_folded_before(void **unused) {
@@ -475,10 +524,10 @@ static void test_observer_stops(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),         cmocka_unit_test(test_planted),
-        cmocka_unit_test(test_step_back),      cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_folded_before),  cmocka_unit_test(test_repeated),
-        cmocka_unit_test(test_observer_stops),
+        cmocka_unit_test(test_random),    cmocka_unit_test(test_planted),
+        cmocka_unit_test(test_step_back), cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_undecided), cmocka_unit_test(test_folded_before),
+        cmocka_unit_test(test_repeated),  cmocka_unit_test(test_observer_stops),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
