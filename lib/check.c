@@ -39,11 +39,12 @@ static bool is_certified(const struct jacobian_report *r, const char *what, stru
 
 bool check_holds(const struct check *c, const struct spline *s, struct err *err) {
     uint32_t e = c->continuity.worst;
-    if (c->injective.overlap.kind != OVERLAP_NONE) return injective_holds(&c->injective, err);
-    if (c->continuity.edges[0] > 0)
-        return err_set(err, ERR_REFUSAL, "not C1 across %u edges, worst across {%u,%u}",
-                       c->continuity.edges[0], s->grid.edge[e][0], s->grid.edge[e][1]);
-    return is_certified(&c->plane, "det grad phi > 0", err) &&
-           (!s->sigma || is_certified(&c->thickness, "sigma1 > sigma0", err)) &&
-           injective_holds(&c->injective, err);
+    if (c->injective.overlap.kind == OVERLAP_NONE &&
+        (!is_certified(&c->plane, "det grad phi > 0", err) ||
+         (s->sigma && !is_certified(&c->thickness, "sigma1 > sigma0", err))))
+        return false;
+    if (!injective_holds(&c->injective, err)) return false;
+    return c->continuity.edges[0] == 0 ||
+           err_set(err, ERR_REFUSAL, "not C1 across %u edges, worst across {%u,%u}",
+                   c->continuity.edges[0], s->grid.edge[e][0], s->grid.edge[e][1]);
 }

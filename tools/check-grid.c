@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* check-grid - proves that a deformation is smooth and folds nowhere, or shows where it does. */
+/* check-grid - proves that a deformation is smooth and one-to-one, or shows where it is not. */
 #include "check_io.h"
 #include "cli.h"
 #include "grid_io.h"
@@ -9,7 +9,7 @@ enum { JSON = 256, BOUND, UNDECIDED, PER_TRIANGLE };
 static const struct cli_option options[] = {
     {JSON, "json", NULL, "write JSON instead of lines"},
     {BOUND, "bound", "TOL", "relative gap of the bounds, 1e-12..0.5 (default 0.01)"},
-    {UNDECIDED, "undecided", "B", "|least det| relative to its mean that may stay undecided"},
+    {UNDECIDED, "undecided", "B", "|least det| and distances, relative, that may stay undecided"},
     {PER_TRIANGLE, "per-triangle", NULL, "also the verdict and bounds of each triangle"},
     {'o', "output", "FILE", "write to FILE instead of stdout"},
     {0, NULL, NULL, NULL},
