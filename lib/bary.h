@@ -13,6 +13,7 @@ struct bary_key {
     uint32_t count;          /* vertices */
     uint32_t triangle_count; /* of the grid */
     bool has_depth;          /* do places have weights of the depth? */
+    bool any_model;          /* to be read: `model` says nothing, since vertices have moved */
 };
 
 struct bary {

@@ -146,8 +146,8 @@ static bool read_all(struct reader *r) {
     if (!record_first(src, "bary", &bary->history) ||
         !read_checksum(src, "domain", "the grid's domain", key ? &key->domain : NULL,
                        &bary->key.domain) ||
-        !read_checksum(src, "model", "the model's vertices", key ? &key->model : NULL,
-                       &bary->key.model) ||
+        !read_checksum(src, "model", "the model's vertices",
+                       key && !key->any_model ? &key->model : NULL, &bary->key.model) ||
         !read_count(r))
         return false;
     for (size_t i = 0; i < bary->key.count; i++)

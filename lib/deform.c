@@ -17,11 +17,14 @@ bool deform_init(struct deform *d, const struct spline *s, const struct projecti
 void deform_free(struct deform *d) {
     placer_free(&d->placer);
     spline_cursor_free(&d->cursor);
+    inverse_cursor_free(&d->finder);
+    inverse_free(&d->inverse);
     *d = (struct deform){0};
 }
 
-bool deform_point(struct deform *d, size_t i, const double point[3], double result[3],
-                  double jacobian[3][3]) {
+/* deform_point of psi itself. */
+static bool map_point(struct deform *d, size_t i, const double point[3], double result[3],
+                      double jacobian[3][3]) {
     const int *axes = d->projection.axes;
     double p[3], value[3], inner[3][3];
     struct place found;
@@ -39,7 +42,30 @@ bool deform_point(struct deform *d, size_t i, const double point[3], double resu
     return true;
 }
 
-/* The derivative of phi at point number i, row by row, and its determinant. */
+/* From the derivative of psi to that of its inverse, in the model's axes: in the grid's, psi has
+ * the form (A 0; g h), and its inverse (B 0; -gB/h 1/h), B = 1/A. */
+static void invert(const int axes[3], double j[3][3]) {
+    const int x = axes[0], y = axes[1], z = axes[2];
+    double a = j[x][x], b = j[x][y], c = j[y][x], d = j[y][y], det = a * d - b * c;
+    double g[2] = {j[z][x], j[z][y]}, h = j[z][z];
+    j[x][x] = d / det;
+    j[x][y] = (0 - b) / det; /* no -0 */
+    j[y][x] = (0 - c) / det;
+    j[y][y] = a / det;
+    j[z][x] = (0 - (g[0] * j[x][x] + g[1] * j[y][x])) / h;
+    j[z][y] = (0 - (g[0] * j[x][y] + g[1] * j[y][y])) / h;
+    j[z][z] = 1 / h;
+}
+
+bool deform_point(struct deform *d, size_t i, const double point[3], double result[3],
+                  double jacobian[3][3]) {
+    if (!d->inverted) return map_point(d, i, point, result, jacobian);
+    if (!deform_point_back(d, i, point, result, jacobian)) return false;
+    if (jacobian) invert(d->projection.axes, jacobian);
+    return true;
+}
+
+/* The derivative of the plane map at point number i, row by row, and its determinant. */
 static void plane_gradient(struct deform *d, size_t i, const double point[3], double gradient[5]) {
     const int *axes = d->projection.axes;
     double ignored[3], jacobian[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -102,18 +128,50 @@ static bool is_identity(double j[3][3]) {
     return true;
 }
 
+/* Gives a turned normal the length that it had, and the sign. */
+static bool set_length(const double turned[3], double sign, const double normal[3],
+                       double result[3]) {
+    double scale;
+    if (!(largest(turned) > 0)) return false;
+    scale = largest(normal) / largest(turned) * (relative_length(normal) / relative_length(turned));
+    if (!isfinite(scale * largest(turned))) return false;
+    for (int r = 0; r < 3; r++) result[r] = turned[r] * (sign > 0 ? scale : -scale);
+    return true;
+}
+
+/* The rows of the cofactor matrix; returns the determinant. */
+static double cofactors(double jacobian[3][3], double cofactor[3][3]) {
+    for (int r = 0; r < 3; r++) cross(jacobian[(r + 1) % 3], jacobian[(r + 2) % 3], cofactor[r]);
+    return dot(jacobian[0], cofactor[0]);
+}
+
 /* J^-T = (r1 x r2, r2 x r0, r0 x r1) / det for the rows r of J; only its direction matters, so
  * the sign of the determinant does and its magnitude does not. */
 bool deform_normal(double jacobian[3][3], const double normal[3], double result[3]) {
-    double cofactor[3][3], det, turned[3], scale;
-    for (int r = 0; r < 3; r++) cross(jacobian[(r + 1) % 3], jacobian[(r + 2) % 3], cofactor[r]);
-    det = dot(jacobian[0], cofactor[0]);
-    for (int r = 0; r < 3; r++) turned[r] = dot(cofactor[r], normal);
+    double cofactor[3][3], det = cofactors(jacobian, cofactor), turned[3];
     memcpy(result, normal, 3 * sizeof *result);
     if (is_identity(jacobian) || largest(normal) == 0) return true;
-    if (!(det != 0) || !isfinite(det) || !(largest(turned) > 0)) return false;
-    scale = largest(normal) / largest(turned) * (relative_length(normal) / relative_length(turned));
-    if (!isfinite(scale * largest(turned))) return false;
-    for (int r = 0; r < 3; r++) result[r] = turned[r] * (det > 0 ? scale : -scale);
-    return true;
+    if (!(det != 0) || !isfinite(det)) return false;
+    for (int r = 0; r < 3; r++) turned[r] = dot(cofactor[r], normal);
+    return set_length(turned, det, normal, result);
+}
+
+bool deform_normal_back(double jacobian[3][3], const double normal[3], double result[3]) {
+    double cofactor[3][3], det = cofactors(jacobian, cofactor), turned[3] = {0, 0, 0};
+    memcpy(result, normal, 3 * sizeof *result);
+    if (is_identity(jacobian) || largest(normal) == 0) return true;
+    if (!(det != 0) || !isfinite(det)) return false;
+    for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++) turned[c] += jacobian[r][c] * normal[r];
+    return set_length(turned, det, normal, result);
+}
+
+bool deform_turn(struct deform *d, size_t i, const double point[3], const double normal[3],
+                 double result[3]) {
+    double image[3], jacobian[3][3];
+    memcpy(result, normal, 3 * sizeof *result);
+    if (d->inverted)
+        return !deform_point_back(d, i, point, image, jacobian) ||
+               deform_normal_back(jacobian, normal, result);
+    return !map_point(d, i, point, image, jacobian) || deform_normal(jacobian, normal, result);
 }

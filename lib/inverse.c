@@ -144,16 +144,22 @@ static bool is_alone(struct query *query, uint32_t n) {
     return true;
 }
 
-bool inverse_find(struct inverse_cursor *c, const double q[2], inverse_wanted *wanted,
-                  void *context, struct place *place) {
-    const struct inverse *v = c->inverse;
-    struct query query = {.inverse = v,
-                          .q = {q[0] * v->scale, q[1] * v->scale},
+static struct query make_query(const struct inverse_cursor *c, const double q[2],
+                               inverse_wanted *wanted, void *context) {
+    double scale = c->inverse->scale;
+    return (struct query){.inverse = c->inverse,
+                          .q = {q[0] * scale, q[1] * scale},
                           .wanted = wanted,
                           .context = context,
                           .room = c->room,
                           .miss = INFINITY,
                           .best = {.triangle = GRID_NONE}};
+}
+
+bool inverse_find(struct inverse_cursor *c, const double q[2], inverse_wanted *wanted,
+                  void *context, struct place *place) {
+    const struct inverse *v = c->inverse;
+    struct query query = make_query(c, q, wanted, context);
     uint32_t searched = GRID_NONE;
     size_t cell;
     *place = query.best;
@@ -169,6 +175,17 @@ bool inverse_find(struct inverse_cursor *c, const double q[2], inverse_wanted *w
             c->hint = v->cells.item[i];
             break;
         }
+    *place = query.best;
+    return place->triangle != GRID_NONE;
+}
+
+bool inverse_find_in(struct inverse_cursor *c, uint32_t t, const double q[2],
+                     inverse_wanted *wanted, void *context, struct place *place) {
+    const struct inverse *v = c->inverse;
+    struct query query = make_query(c, q, wanted, context);
+    uint32_t searched = GRID_NONE;
+    for (uint32_t n = v->first[t]; n < v->first[t + 1]; n++)
+        if (look(&query, n, &searched)) break;
     *place = query.best;
     return place->triangle != GRID_NONE;
 }

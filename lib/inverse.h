@@ -79,6 +79,10 @@ typedef bool inverse_wanted(void *context, const struct place *place);
 bool inverse_find(struct inverse_cursor *c, const double q[2], inverse_wanted *wanted,
                   void *context, struct place *place);
 
+/* The same in triangle t alone. */
+bool inverse_find_in(struct inverse_cursor *c, uint32_t t, const double q[2],
+                     inverse_wanted *wanted, void *context, struct place *place);
+
 /* The point of a place that was found for q, in world units. A coordinate that phi does not move
  * there is that of q, bit for bit, as in spline_evaluate. */
 void inverse_point(const struct inverse *v, const double q[2], const struct place *place,

@@ -56,7 +56,7 @@ bool model_options_open(const struct model_options *o, const struct cli *cli,
     return vertices_open(vertices, cli_operand(cli, 0), o->format, err);
 }
 
-bool model_options_accept(const struct model_options *o, const struct vertices *v, size_t outside,
-                          size_t first, struct err *err) {
-    return outside == 0 || o->keep_outside || vertices_refuse(v, outside, first, err);
+bool model_options_accept(const struct model_options *o, const struct vertices *v, const char *what,
+                          size_t outside, size_t first, struct err *err) {
+    return outside == 0 || o->keep_outside || vertices_refuse(v, what, outside, first, err);
 }

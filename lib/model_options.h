@@ -46,10 +46,10 @@ bool model_options_open(const struct model_options *o, const struct cli *cli,
                         struct grid_file *grid, struct vertices *vertices,
                         struct err *err) WARN_UNUSED;
 
-/* Refuses `outside` vertices outside, `first` being the first, unless there are none or they are to
- * be kept. */
-bool model_options_accept(const struct model_options *o, const struct vertices *v, size_t outside,
-                          size_t first, struct err *err) WARN_UNUSED;
+/* Refuses `outside` vertices outside `what`, for example "the grid", `first` being the first,
+ * unless there are none or they are to be kept. */
+bool model_options_accept(const struct model_options *o, const struct vertices *v, const char *what,
+                          size_t outside, size_t first, struct err *err) WARN_UNUSED;
 
 /* The value of an option that is a plane, for example zy. */
 bool model_option_axes(const struct cli *cli, int axes[3], struct err *err) WARN_UNUSED;

@@ -49,4 +49,8 @@ void spline_cursor_free(struct spline_cursor *c);
 void spline_cursor_evaluate(struct spline_cursor *c, uint32_t t, const double b[3],
                             const double p[3], double value[3], double jacobian[3][3]);
 
+/* The displacement of phi and, with depth, of sigma0 and sigma1 at b in triangle t: 2 or 4 numbers,
+ * exactly 0 where all control points that count there are nominal. */
+void spline_cursor_shift(struct spline_cursor *c, uint32_t t, const double b[3], double *shift);
+
 #endif

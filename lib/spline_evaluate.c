@@ -128,3 +128,9 @@ void spline_cursor_evaluate(struct spline_cursor *c, uint32_t t, const double b[
     if (c->triangle != t) load(c, t);
     evaluate_patch(c->spline, t, c->patch, b, p, value, jacobian);
 }
+
+void spline_cursor_shift(struct spline_cursor *c, uint32_t t, const double b[3], double *shift) {
+    const struct spline *s = c->spline;
+    if (c->triangle != t) load(c, t);
+    bernstein_value(s->grid.degree, components(s), c->patch, b, shift);
+}

@@ -70,13 +70,14 @@ static void describe(const struct vertices *v, size_t i, char *text, size_t room
     }
 }
 
-bool vertices_refuse(const struct vertices *v, size_t outside, size_t first, struct err *err) {
+bool vertices_refuse(const struct vertices *v, const char *what, size_t outside, size_t first,
+                     struct err *err) {
     const char *names = v->format == VERTICES_OBJ ? "vertices" : "points";
     char text[DESCRIPTION_MAX];
     describe(v, first, text, sizeof text);
     return err_set_at(err, ERR_REFUSAL, v->file.name, vertices_line(v, first), 0,
-                      "%zu of %zu %s outside the grid; the first is %s", outside,
-                      v->points.vertex_count, names, text);
+                      "%zu of %zu %s outside %s; the first is %s", outside, v->points.vertex_count,
+                      names, what, text);
 }
 
 bool vertices_refuse_result(const struct vertices *v, const char *what, size_t i, struct err *err) {

@@ -46,9 +46,10 @@ uint32_t vertices_checksum(const struct vertices *v);
 /* The line of vertex i, counted from 0. O(text). */
 size_t vertices_line(const struct vertices *v, size_t i);
 
-/* The refusal of `outside` vertices that lie outside the grid, `first` being the first. Always
- * false. */
-bool vertices_refuse(const struct vertices *v, size_t outside, size_t first, struct err *err);
+/* The refusal of `outside` vertices that lie outside `what`, for example "the grid", `first` being
+ * the first. Always false. */
+bool vertices_refuse(const struct vertices *v, const char *what, size_t outside, size_t first,
+                     struct err *err);
 
 /* The refusal of a vertex where `what`, for example "the image", is not finite. Always false. */
 bool vertices_refuse_result(const struct vertices *v, const char *what, size_t i, struct err *err);

@@ -52,7 +52,8 @@ static bool find_places(struct job *job, struct err *err) {
     struct bary_key key;
     return bary_key(&key, g, &job->vertices, err) &&
            bary_locate(bary, &key, g, &projection, job->vertices.points.vertex, err) &&
-           model_options_accept(&job->set->model, &job->vertices, bary->outside, bary->first, err);
+           model_options_accept(&job->set->model, &job->vertices, "the grid", bary->outside,
+                                bary->first, err);
 }
 
 /* The history of the places is that of the grid, which made them what they are. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* deform-mesh - applies the deformation of a grid to an OBJ model or a list of points. */
+/* deform-mesh - applies the deformation of a grid, or its inverse, to an OBJ model or a list of
+ * points. */
 #include "bary_io.h"
 #include "deform.h"
 #include "list_io.h"
@@ -7,16 +8,16 @@
 #include "model_options.h"
 #include "obj_copy.h"
 
-#include <string.h>
-
-enum { NORMALS = 256, DIGITS, BARY, JACOBIAN, PROGRESS };
+enum { NORMALS = 256, DIGITS, BARY, JACOBIAN, PROGRESS, INVERSE, ANY };
 
 static const struct cli_option options[] = {
     MODEL_OPTIONS,
     {NORMALS, "normals", "WHAT", "transform (default), drop or keep"},
     {DIGITS, "digits", "N", "significant digits, 1..17 (default: shortest exact)"},
     {BARY, "bary", "FILE", "take the places of the vertices from FILE, see bary(1)"},
-    {JACOBIAN, "jacobian", NULL, "append the derivatives of phi and their determinant to points"},
+    {JACOBIAN, "jacobian", NULL, "append derivatives of the map and their determinant to points"},
+    {INVERSE, "inverse", NULL, "apply the inverse: MODEL has been deformed by GRID, undo it"},
+    {ANY, "any", NULL, "with --inverse: any preimage will do where there are several"},
     {PROGRESS, "progress", NULL, "show progress on stderr also if that is no terminal"},
     {'o', "output", "FILE", "write to FILE instead of stdout"},
     {0, NULL, NULL, NULL},
@@ -37,7 +38,7 @@ struct settings {
     struct model_options model;
     int normals; /* enum obj_normal_mode */
     int64_t digits;
-    bool jacobian, progress;
+    bool inverse, any, jacobian, progress;
     const char *bary, *output;
 };
 
@@ -46,6 +47,8 @@ static const char *const normals_names[] = {"transform", "drop", "keep", NULL};
 /* What no single option can know. */
 static bool check(const struct cli *cli, struct settings *set, struct err *err) {
     if (!model_options_end(&set->model, cli, set->bary, err)) return false;
+    if (set->any && !set->inverse)
+        return err_set(err, ERR_USAGE, "--any goes with --inverse; try %s --help", program.name);
     if (set->jacobian && set->model.format == VERTICES_OBJ)
         return err_set(err, ERR_USAGE, "--jacobian is for lists of points; try %s --help",
                        program.name);
@@ -61,6 +64,8 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
         if (key == NORMALS) ok = cli_choice(cli, normals_names, &set->normals, err);
         if (key == DIGITS) ok = cli_int(cli, 1, 17, &set->digits, err);
         if (key == BARY) set->bary = cli->value;
+        if (key == INVERSE) set->inverse = true;
+        if (key == ANY) set->any = true;
         if (key == JACOBIAN) set->jacobian = true;
         if (key == PROGRESS) set->progress = true;
         if (key == 'o') set->output = cli->value;
@@ -81,14 +86,30 @@ struct job {
     struct obj_normals normals;
 };
 
+/* The map must be one-to-one, unless any preimage will do. */
+static bool invert(struct job *job, const struct projection *projection, struct err *err) {
+    const struct spline *s = &job->grid.spline;
+    struct err why = {0};
+    bool proved = deform_prove(s, projection, &why);
+    if (!proved && (why.kind != ERR_REFUSAL || !job->set->any)) {
+        *err = why;
+        return false;
+    }
+    if (!proved) cli_note(job->cli, "warning: %s; of several preimages, one is taken", why.message);
+    return deform_init_inverse(&job->deform, s, projection, job->bary.place, proved, err);
+}
+
 /* Makes job->deform, with places that are known or without. */
 static bool place(struct job *job, struct err *err) {
     const struct spline *s = &job->grid.spline;
     struct projection projection = vertices_projection(&job->vertices, &s->grid);
     struct bary_key key;
-    if (job->set->bary && (!bary_key(&key, &s->grid, &job->vertices, err) ||
-                           !bary_read(&job->bary, job->set->bary, &key, err)))
-        return false;
+    if (job->set->bary) {
+        if (!bary_key(&key, &s->grid, &job->vertices, err)) return false;
+        key.any_model = job->set->inverse; /* that of the model before it was deformed */
+        if (!bary_read(&job->bary, job->set->bary, &key, err)) return false;
+    }
+    if (job->set->inverse) return invert(job, &projection, err);
     return deform_init(&job->deform, s, &projection, job->bary.place, err);
 }
 
@@ -112,17 +133,16 @@ static bool deform(struct job *job, struct err *err) {
         return vertices_refuse_result(&job->vertices,
                                       job->gradient ? "the image or derivative" : "the image",
                                       batch.first, err);
-    return model_options_accept(&job->set->model, &job->vertices, batch.outside, batch.first, err);
+    return model_options_accept(&job->set->model, &job->vertices,
+                                job->set->inverse ? "the deformed grid" : "the grid", batch.outside,
+                                batch.first, err);
 }
 
-/* Turns a normal of the model at a vertex. Outside nothing moves. */
+/* Turns a normal of the model at a vertex. */
 static bool turn(void *context, size_t vertex, const double normal[3], double result[3]) {
     struct job *job = context;
     const double *point = job->vertices.points.vertex[vertex];
-    double image[3], jacobian[3][3];
-    memcpy(result, normal, 3 * sizeof *result);
-    if (!deform_point(&job->deform, vertex, point, image, jacobian)) return true;
-    return deform_normal(jacobian, normal, result);
+    return deform_turn(&job->deform, vertex, point, normal, result);
 }
 
 static bool plan_normals(struct job *job, struct err *err) {

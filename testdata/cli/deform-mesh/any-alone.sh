@@ -1,0 +1,1 @@
+deform-mesh --any m.obj g
