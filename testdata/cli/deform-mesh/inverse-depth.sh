@@ -1,5 +1,5 @@
 # Bottom z = -2 + x / 4, top z = 6 + x: at x = 2, -1.5 is the bottom, 8 the top, 3.25 the middle.
-mkgrid --rect 0,0,4,4 --cells 1x1 --lattice 1 --degree 1 --depth -2,6 | awk '
+mkgrid --rect 0,0,4,4 --cells 1x1 --lattice 1 --degree 1 --depth -2,6 | LC_ALL=C awk '
     /^points/ { print; p = 1; next }
     p && NF == 4 { print $1 + 1, $2, $3 + $1 / 4, $4 + $1; next }
     { print }' >g
