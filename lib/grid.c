@@ -67,10 +67,32 @@ uint32_t grid_point(const struct grid *g, uint32_t t, int i, int j, int k) {
     return first_interior(g) + t * interior_points(g) + (uint32_t)(row * (row + 1) / 2 + k - 1);
 }
 
+/* The first point on edge l of triangle t beyond its corner `from`, and the step to the next. */
+static uint32_t walk_edge(const struct grid *g, uint32_t t, int l, int from, uint32_t *step) {
+    uint32_t e = g->triangle_edge[t][l], first = g->vertex_count + e * edge_points(g);
+    bool forward = g->edge[e][0] == g->triangle[t][from];
+    *step = forward ? 1 : UINT32_MAX; /* modulo 2^32: one back */
+    return forward ? first : first + edge_points(g) - 1;
+}
+
+/* Row r has the points i = d - r; its ends lie on edges 2 and 1, the last row on edge 0. What is
+ * inside has consecutive numbers. */
 void grid_patch(const struct grid *g, uint32_t t, uint32_t *points) {
+    uint32_t inside = first_interior(g) + t * interior_points(g), step[3];
+    uint32_t side2 = walk_edge(g, t, 2, 0, &step[2]), side1 = walk_edge(g, t, 1, 0, &step[1]);
+    uint32_t side0 = walk_edge(g, t, 0, 1, &step[0]);
     int d = g->degree;
-    for (int i = d; i >= 0; i--)
-        for (int j = d - i; j >= 0; j--) *points++ = grid_point(g, t, i, j, d - i - j);
+    *points++ = g->triangle[t][0];
+    for (int r = 1; r < d; r++) {
+        *points++ = side2;
+        for (int k = 1; k < r; k++) *points++ = inside++;
+        *points++ = side1;
+        side2 += step[2];
+        side1 += step[1];
+    }
+    *points++ = g->triangle[t][1];
+    for (int k = 1; k < d; k++, side0 += step[0]) *points++ = side0;
+    *points = g->triangle[t][2];
 }
 
 static uint32_t lowest(const uint32_t *triangle, uint32_t n) {
