@@ -266,7 +266,57 @@ static void test_edits(void **state) {
     assert_true(count[0] > 0 && count[2] > 0);
 }
 
+/* Few values, so that points coincide; all alike; on a line; of all magnitudes; far out; the
+ * largest and the least numbers. */
+static double hostile(int kind, double x, int c, uint64_t *seed) {
+    switch (kind) {
+    case 0:
+        return (double)random_in(seed, 0, 2);
+    case 1:
+        return 7;
+    case 2:
+        return c ? 0 : x;
+    case 3:
+        return ldexp(random_unit(seed) - 0.5, (int)random_in(seed, -1074, 1024));
+    case 4:
+        return x + 0x1p60;
+    case 5:
+        return 0x1.fp1023 * (random_unit(seed) * 2 - 1);
+    default:
+        return (double)random_in(seed, 0, 2) * 0x1p-1074;
+    }
+}
+
+/* There is an answer, and it is no better than that of the certificate. */
+static void test_hostile(void **state) {
+    struct least_rule rule = {0.01, 0x1p-100, 64};
+    uint64_t seed = 13;
+    (void)state;
+    for (int n = 0; n < test_count(70); n++) {
+        uint64_t start = seed;
+        struct jacobian_report plane;
+        struct injective j;
+        struct grid g;
+        struct spline s;
+        struct err err;
+        random_domain(&g, 1, (int)random_in(&seed, 1, 7), &seed);
+        assert_true(spline_identity(&s, &g, &err));
+        for (uint32_t p = 0; p < s.grid.point_count; p++)
+            for (int c = 0; c < 2; c++) s.phi[p][c] = hostile(n % 7, s.phi[p][c], c, &seed);
+        assert_true(jacobian_report_init(&plane, &s, JACOBIAN_PLANE, &rule, false, &err));
+        assert_true(injective_init(&j, &s, &plane, NULL, &rule, &err));
+        check_seed(start, plane.least.verdict == JACOBIAN_CERTIFIED || j.phi != INJECTIVE_YES);
+        check_seed(start, plane.least.verdict != JACOBIAN_FOLDS || j.phi == INJECTIVE_NO);
+        check_seed(start, j.phi == INJECTIVE_YES || !injective_holds(&j, &err) ||
+                              plane.least.verdict != JACOBIAN_CERTIFIED);
+        injective_free(&j);
+        jacobian_report_free(&plane);
+        spline_free(&s);
+    }
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_maps), cmocka_unit_test(test_edits)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_maps), cmocka_unit_test(test_edits),
+                                       cmocka_unit_test(test_hostile)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
