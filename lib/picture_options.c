@@ -17,6 +17,14 @@ bool picture_colour(const struct cli *cli, uint32_t *colour, struct err *err) {
            cli_bad_value(cli, err, "%s", COLOUR_SYNTAX);
 }
 
+bool picture_frame(const struct cli *cli, double frame[4], struct err *err) {
+    if (!cli_doubles(cli, 4, frame, err)) return false;
+    for (int k = 0; k < 2; k++)
+        if (frame[k] == frame[k + 2] || !isfinite(frame[k + 2] - frame[k]))
+            return cli_bad_value(cli, err, "X0 != X1 and Y0 != Y1, not too far from each other");
+    return true;
+}
+
 static bool read_size(struct picture_options *o, const struct cli *cli, struct err *err) {
     int64_t n[2];
     if (!cli_cells(cli, SIDE_MAX, n, err)) return false;

@@ -61,6 +61,9 @@ bool picture_options_end(struct picture_options *o, const struct cli *cli,
 bool picture_begin(const struct picture_options *o, const double lo[2], const double hi[2],
                    struct viewport *view, struct image *image, struct err *err) WARN_UNUSED;
 
+/* The current option's value as the frame of an image: X0,Y0,X1,Y1, neither width nor height 0. */
+bool picture_frame(const struct cli *cli, double frame[4], struct err *err) WARN_UNUSED;
+
 /* The current option's value as a colour. */
 bool picture_colour(const struct cli *cli, uint32_t *colour, struct err *err) WARN_UNUSED;
 

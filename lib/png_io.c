@@ -28,10 +28,17 @@ static size_t chunk_length(const unsigned char *chunk, const unsigned char *end)
 /* Appends the chunks at *to; returns what is wrong, or NULL. */
 static const char *copy_chunks(unsigned char **to, const unsigned char *chunk,
                                const unsigned char *end) {
+    bool begun = false, ended = false; /* the chunks IDAT */
     for (;;) {
         const unsigned char *type = chunk + 4;
         size_t n = chunk_length(chunk, end);
         if (n == 0) return "it ends within a chunk or before IEND";
+        if (memcmp(type, "IDAT", 4) != 0)
+            ended = begun;
+        else if (ended)
+            return "other chunks are between those of its pixels (IDAT)";
+        else
+            begun = true;
         if (is_pixels(type)) {
             memcpy(*to, chunk, n);
             *to += n;

@@ -9,7 +9,8 @@
 #include "err.h"
 
 /* Sets *copy, to be freed, and its length. Errors, which have no place: a chunk's length goes
- * beyond the end, a critical chunk is unknown, there is no IEND. The bytes are those of a sound
+ * beyond the end, a critical chunk is unknown, chunks IDAT do not follow each other, there is no
+ * IEND. The bytes are those of a sound
  * header (image_header_io.h). O(length). */
 bool png_pixels_only(const void *bytes, size_t length, void **copy, size_t *copy_length,
                      struct err *err) WARN_UNUSED;

@@ -59,24 +59,48 @@ static inline bool find_taps(struct taps *taps, enum sampler_filter filter, doub
     return true;
 }
 
-/* Sums of weight * pixel, and of weight * alpha * pixel for colours with straight alpha. */
-static void blend(const struct image *image, const struct taps *x, const struct taps *y,
-                  float *value) {
-    int n = image->channels, alpha = image->straight ? image->alpha : -1;
-    double sum[IMAGE_CHANNELS_MAX], covered[IMAGE_CHANNELS_MAX];
-    for (int k = 0; k < n; k++) sum[k] = covered[k] = 0;
+/* The sums of weight * pixel. A constant number of channels is what takes time to read. */
+static inline __attribute__((always_inline)) void blend(const struct image *image, int channels,
+                                                        const struct taps *x, const struct taps *y,
+                                                        float *value) {
+    double sum[IMAGE_CHANNELS_MAX];
+    for (int k = 0; k < channels; k++) sum[k] = 0;
     for (int r = 0; r < y->n; r++)
         for (int c = 0; c < x->n; c++) {
             const float *pixel = image_pixel(image, x->at[c], y->at[r]);
             double weight = x->weight[c] * y->weight[r];
-            for (int k = 0; k < n; k++) sum[k] += weight * pixel[k];
-            for (int k = 0; alpha >= 0 && k < n; k++)
-                covered[k] += weight * pixel[alpha] * pixel[k];
+            for (int k = 0; k < channels; k++) sum[k] += weight * pixel[k];
         }
-    for (int k = 0; k < n; k++) {
-        bool straight = alpha >= 0 && k != alpha && sum[alpha] > 0;
-        value[k] = (float)(straight ? covered[k] / sum[alpha] : sum[k]);
-    }
+    for (int k = 0; k < channels; k++) value[k] = (float)sum[k];
+}
+
+/* The same for colours beside a straight alpha: of weight * alpha * pixel, over that of alpha. */
+static void blend_straight(const struct image *image, const struct taps *x, const struct taps *y,
+                           float *value) {
+    double sum[IMAGE_CHANNELS_MAX] = {0}, covered = 0;
+    blend(image, image->channels, x, y, value);
+    if (!(value[image->alpha] > 0)) return;
+    for (int r = 0; r < y->n; r++)
+        for (int c = 0; c < x->n; c++) {
+            const float *pixel = image_pixel(image, x->at[c], y->at[r]);
+            double weight = x->weight[c] * y->weight[r] * pixel[image->alpha];
+            covered += weight;
+            for (int k = 0; k < image->channels; k++) sum[k] += weight * pixel[k];
+        }
+    for (int k = 0; k < image->channels; k++)
+        if (k != image->alpha) value[k] = (float)(sum[k] / covered);
+}
+
+static void blend_any(const struct image *image, const struct taps *x, const struct taps *y,
+                      float *value) {
+    if (image->straight)
+        blend_straight(image, x, y, value);
+    else if (image->channels == 1)
+        blend(image, 1, x, y, value);
+    else if (image->channels == 3)
+        blend(image, 3, x, y, value);
+    else
+        blend(image, image->channels, x, y, value);
 }
 
 void sampler_values(const struct image *image, enum sampler_filter filter, size_t n,
@@ -90,6 +114,6 @@ void sampler_values(const struct image *image, enum sampler_filter filter, size_
         else if (x.n == 1 && y.n == 1)
             memcpy(value, image_pixel(image, x.at[0], y.at[0]), size);
         else
-            blend(image, &x, &y, value);
+            blend_any(image, &x, &y, value);
     }
 }

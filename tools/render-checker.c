@@ -73,7 +73,7 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
         return true;
     case KEY_FRAME:
         set->has_frame = true;
-        return cli_doubles(cli, 4, set->frame, err);
+        return picture_frame(cli, set->frame, err);
     case KEY_MAX_PIXELS:
         return cli_int(cli, 1, INT64_MAX, &set->max_pixels, err);
     case KEY_LINES:
