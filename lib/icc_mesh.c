@@ -17,7 +17,7 @@
 
 #define CLEARANCE 0.45
 
-enum { PARTS_MAX = 1 << 26 };
+enum { PARTS_MAX = 1 << 26, TRIM_FROM = 100000 };
 enum { POINTS_PER_SIDE = 20, POINTS_LOW = 600, POINTS_HIGH = 20000, RIM_PER_POINT = 4 };
 
 size_t icc_mesh_points(size_t sides) {
@@ -158,6 +158,7 @@ bool icc_mesh_init(struct icc_mesh *m, const struct cage *cage, size_t points, s
     free(w.inside);
     free(w.point);
     free(w.side);
+    if (m->mesh.vertex_count > TRIM_FROM) mem_trim();
     if (!ok) icc_mesh_free(m);
     return ok;
 }

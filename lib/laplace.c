@@ -28,6 +28,9 @@
 #define GAIN     0x1p-4  /* a step that is larger, relative to the one before, is no contraction */
 #define DUST     0x1p-96
 
+/* From so many free vertices on nested dissection pays. */
+enum { DISSECT_FROM = 30000 };
+
 struct work {
     size_t fixed, n;          /* vertices that are fixed, and free */
     struct laplace_edge *rim; /* edges with one fixed end, which is end[0] */
@@ -55,8 +58,9 @@ static void work_init(struct work *w, const struct laplace_problem *p) {
     cholmod_start(&w->common);
     w->common.print = 0;
     w->common.supernodal = CHOLMOD_SIMPLICIAL;
-    w->common.nmethods = 1;
+    w->common.nmethods = w->n < DISSECT_FROM ? 1 : 2; /* the better of the two is taken */
     w->common.method[0].ordering = CHOLMOD_AMD;
+    w->common.method[1].ordering = CHOLMOD_METIS;
 }
 
 static void work_free(struct work *w) {
@@ -226,5 +230,6 @@ bool laplace_solve(struct laplace_problem *problem, double (*u)[2], struct err *
     if (ok && w.n > 0)
         ok = factor(&w, err) && make_room(&w, err) && solve(&w, u, 0, err) && solve(&w, u, 1, err);
     work_free(&w);
+    if (w.n >= DISSECT_FROM) mem_trim();
     return ok;
 }

@@ -9,6 +9,7 @@
 #include "filemap.h"
 #include "obj_points.h"
 #include "out.h"
+#include "src.h"
 
 /* Reads all points; the third coordinate of `columns` = 2 is 0. There must be a point. Errors:
  * file:LINE:COL. Freed by obj_points_free. */
@@ -29,5 +30,28 @@ struct list_change {
  * `out`, which stick there, and that the file changed meanwhile. */
 bool list_copy(struct out *out, const struct filemap *f, size_t count,
                const struct list_change *change, struct err *err) WARN_UNUSED;
+
+/* Copies a list while words of its lines are replaced: list_copier_next goes to the next line that
+ * is a point, whose words src_word then takes from `src`; list_copier_cut leaves out what stands in
+ * [begin, end), so that what is written to `out` after it comes in its place. `columns` is 3 where
+ * lines HOLE are none of the list's. */
+struct list_copier {
+    struct src src;
+    struct out *out;
+    /* private */
+    int columns;
+    const char *done, *end;
+};
+
+void list_copier_begin(struct list_copier *k, struct out *out, const struct filemap *f,
+                       int columns);
+bool list_copier_next(struct list_copier *k);
+void list_copier_cut(struct list_copier *k, const char *begin, const char *end);
+
+/* Copies the rest. There must be no more points, and no error before: else the file has changed. */
+bool list_copier_end(struct list_copier *k, struct err *err) WARN_UNUSED;
+
+/* The same line by line for a reader: goes to the next line that is a point. */
+bool list_next(struct src *src, int columns);
 
 #endif

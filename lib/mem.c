@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "mem.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <string.h>
 #include <sys/mman.h>
 
@@ -55,4 +58,10 @@ bool mem_grow_bytes(void *array, size_t *cap, size_t need, size_t size, struct e
     memcpy(array, &fresh, sizeof fresh);
     *cap = n;
     return true; /* cppcheck-suppress memleak ; *array owns it */
+}
+
+void mem_trim(void) {
+#ifdef __GLIBC__
+    (void)malloc_trim(0);
+#endif
 }

@@ -23,4 +23,8 @@ void *mem_alloc_unset(size_t n, size_t size, struct err *err) WARN_UNUSED;
 bool mem_grow_bytes(void *array, size_t *cap, size_t need, size_t size,
                     struct err *err) WARN_UNUSED;
 
+/* Gives what was freed back to the system, as far as it can: before work that needs much, after
+ * work that needed much in small pieces. */
+void mem_trim(void);
+
 #endif
