@@ -48,20 +48,31 @@ static bool is_optional(const struct cli_option *o) {
     return o->arg && o->arg[0] == '[';
 }
 
-static void print_option(const struct cli_option *o) {
-    char left[80];
-    const char *space = o->arg && !is_optional(o) ? " " : "", *arg = o->arg ? o->arg : "";
-    if (o->key < 256)
-        snprintf(left, sizeof left, "-%c, --%s%s%s", o->key, o->name, space, arg);
-    else
-        snprintf(left, sizeof left, "    --%s%s%s", o->name, space, arg);
-    printf("  %-27s %s\n", left, o->help);
+/* Returns how many options the line is about: one, or those without help as well that precede it.
+ */
+static int print_option(const struct cli_option *o) {
+    char left[120];
+    int n = 0, length = 0;
+    do {
+        const char *space = o->arg && !is_optional(o) ? " " : "", *arg = o->arg ? o->arg : "";
+        const char letter[] = {'-', (char)o->key, ',', ' ', '\0'};
+        length +=
+            snprintf(left + length, sizeof left - (size_t)length, "%s%s--%s%s%s", n ? "; " : "",
+                     o->key < 256 ? letter
+                     : n          ? ""
+                                  : "    ",
+                     o->name, space, arg);
+        INVARIANT(length < (int)sizeof left);
+        n++;
+    } while (!o++->help);
+    printf("  %-27s %s\n", left, o[-1].help);
+    return n;
 }
 
 static void print_help(const struct cli_program *program) {
     int n = option_count(program);
     printf("usage: %s %s\n", program->name, program->synopsis);
-    for (int i = 0; i < n; i++) print_option(&program->options[i]);
+    for (int i = 0; i < n;) i += print_option(&program->options[i]);
     printf("  %-27s %s\n", "-h, --help; -V, --version", "print this; print the version");
     fputs(program->epilogue, stdout);
 }

@@ -26,7 +26,7 @@ struct cli_option {
     int key;          /* its letter, or a number from 256 for an option without one */
     const char *name; /* long name, no dashes; NULL ends the table */
     const char *arg;  /* name of its argument, NULL: none; "[=X]": optional; "FILE...": a file */
-    const char *help; /* one line */
+    const char *help; /* one line; NULL: it stands in the line of the next option */
 };
 
 struct cli_program {

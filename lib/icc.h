@@ -26,4 +26,6 @@ struct icc_place {
     double lambda, t; /* both in [0,1] */
 };
 
+#define ICC_OUTSIDE UINT32_MAX /* the side of a point outside, whose coordinates are none */
+
 #endif

@@ -144,9 +144,12 @@ bool icc_grid_locate(const struct icc_grid *g, const double p[2], struct icc_lin
     struct icc_field field = icc_grid_field(g);
     double from[2], top[2], up, down;
     bool lost = false;
-    tally->points++;
+    enum cage_where where;
     *place = (struct icc_place){.t = 1};
-    if (cage_find(g->cage, p, &place->side, &place->lambda) != CAGE_INSIDE) return true;
+    where = cage_find(g->cage, p, &place->side, &place->lambda);
+    if (where == CAGE_OUTSIDE) place->side = ICC_OUTSIDE;
+    tally->points += where != CAGE_OUTSIDE;
+    if (where != CAGE_INSIDE) return true;
     icc_domain_to_grid(&g->domain, p, from);
     icc_domain_vertex_grid(&g->domain, g->function.maximum, top);
     if (from[0] == top[0] && from[1] == top[1]) {

@@ -64,8 +64,8 @@ static inline struct icc_field icc_grid_field(const struct icc_grid *g) {
     return (struct icc_field){&g->domain, &g->function, &g->cells};
 }
 
-/* The coordinates of a point inside or on the cage. False for want of memory. O(cells on the way).
- */
+/* The coordinates of a point; outside the cage, of which the side is ICC_OUTSIDE. False for want of
+ * memory. O(cells on the way). */
 bool icc_grid_locate(const struct icc_grid *g, const double p[2], struct icc_lines *lines,
                      struct icc_place *place, struct icc_tally *tally, struct err *err) WARN_UNUSED;
 

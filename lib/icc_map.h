@@ -7,10 +7,11 @@
 #ifndef ICC_MAP_H
 #define ICC_MAP_H
 
+#include "icc_grid.h"
 #include "icc_ray.h"
 #include "progress.h"
 
-enum icc_method { ICC_RAY, ICC_METHODS };
+enum icc_method { ICC_RAY, ICC_GRID, ICC_METHODS };
 extern const char *const icc_method_names[ICC_METHODS + 1]; /* ends with NULL */
 
 struct icc_rule {
@@ -18,6 +19,8 @@ struct icc_rule {
     bool has_points; /* else as many as icc_mesh_points says */
     size_t points;   /* wanted inside each cage */
     double cell;     /* > 0: as many as lie inside the source at this distance from each other */
+    struct icc_grid_rule grid[2]; /* method grid: of the source, of the target; the above goes for
+                                     both, and need not be repeated here */
 };
 
 enum icc_use {
@@ -32,7 +35,12 @@ struct icc_map {
     struct icc_rule rule;               /* with the number of points that was found */
     const struct cage *source, *target; /* borrowed */
     struct icc_ray ray[2];              /* of the source, of the target */
-    bool ready;                         /* private: the source is prepared */
+    struct icc_grid grid[2];            /* or these */
+    struct icc_tally tally[2]; /* method grid: of the last batch, where points came from the source
+                                  or the target, and where they went to */
+    /* private */
+    bool ready; /* the source is prepared */
+    struct icc_lines lines;
 };
 
 /* Binds the source. Freed by icc_map_free on success. Refusals are ERR_REFUSAL. */
@@ -54,8 +62,6 @@ struct icc_batch {
     size_t outside;            /* set: how many, and the first of them */
     size_t first;
 };
-
-#define ICC_OUTSIDE UINT32_MAX /* the side of a point outside, whose coordinates are none */
 
 /* For ICC_FORWARD and ICC_INVERSE points are replaced, for ICC_NAME places are found, for ICC_ASK
  * points are set where the place is not outside. */

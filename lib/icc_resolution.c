@@ -6,7 +6,8 @@
 
 #include <stdio.h>
 
-#define DETOUR 3 /* ways along the cage are longer by this, where it is narrow */
+#define DETOUR      3      /* ways along the cage are longer by this, where it is narrow */
+#define VERTEX_STEP 0x1p-6 /* of the limit: nearer vertices are passed over */
 
 static void fail(struct icc_failures *failures, const struct icc_domain *d, const double grid[2],
                  uint32_t side) {
@@ -117,8 +118,10 @@ static double narrow(const struct measure *m, size_t vertex, uint32_t side) {
 
 static double narrowest(const struct measure *m, const struct icc_cells *cells) {
     const struct icc_domain *d = m->d;
-    double least = 1;
+    double least = 1, before = -INFINITY;
     for (size_t k = 0; k < d->count; k++) {
+        if (m->way[k] - before < VERTEX_STEP) continue;
+        before = m->way[k];
         uint32_t i = (uint32_t)d->cage[k][0], j = (uint32_t)d->cage[k][1];
         for (uint32_t row = j - 1; row <= j + 1; row++)
             for (uint32_t cell = row * d->nx + i - 1; cell <= row * d->nx + i + 1; cell++)

@@ -33,8 +33,8 @@ void icc_failure_describe(enum icc_test test, const struct icc_failures *failure
 
 /* How narrow are the necks of a cage, or the gaps between its arms: the least distance, if that is
  * less than `limit`, from a vertex to a place on a side to which the way along the cage is more
- * than three times as long; else the limit. Near O(count) where sides are about as long as the
- * limit. */
+ * than three times as long; else the limit. Of vertices that crowd together, 64 on the length of
+ * the limit are looked at. Near O(count) where sides are about as long as that. */
 bool icc_width(const double (*vertex)[2], size_t count, double limit, double *width,
                struct err *err) WARN_UNUSED;
 

@@ -196,3 +196,12 @@ bool icc_show_grid_lines(const struct icc_grid *g, size_t count, struct polyline
     icc_lines_free(&s.lines);
     return ok;
 }
+
+bool icc_show(const struct icc_map *m, enum icc_show what, size_t lines, struct polylines *p,
+              struct err *err) {
+    if (m->rule.method == ICC_GRID)
+        return lines > 0 ? icc_show_grid_lines(&m->grid[0], lines, p, err)
+                         : icc_show_grid(&m->grid[0], what, p, err);
+    return lines > 0 ? icc_show_ray_lines(&m->ray[0], lines, p, err)
+                     : icc_show_ray(&m->ray[0], what, p, err);
+}

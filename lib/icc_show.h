@@ -19,8 +19,7 @@
 #ifndef ICC_SHOW_H
 #define ICC_SHOW_H
 
-#include "icc_grid.h"
-#include "icc_ray.h"
+#include "icc_map.h"
 #include "polylines.h"
 
 enum icc_show {
@@ -43,6 +42,11 @@ bool icc_show_grid(const struct icc_grid *g, enum icc_show what, struct polyline
                    struct err *err) WARN_UNUSED;
 bool icc_show_ray(const struct icc_ray *r, enum icc_show what, struct polylines *p,
                   struct err *err) WARN_UNUSED;
+
+/* The same of the source of a map, whatever its method; lines > 0: so many integral lines instead.
+ */
+bool icc_show(const struct icc_map *m, enum icc_show what, size_t lines, struct polylines *p,
+              struct err *err) WARN_UNUSED;
 
 /* `count` lines, labelled 0 to count - 1. */
 bool icc_show_grid_lines(const struct icc_grid *g, size_t count, struct polylines *p,

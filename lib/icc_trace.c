@@ -427,21 +427,19 @@ static struct place start(struct walk *w) {
     return start_inside(w, &t);
 }
 
-/* A start that rounding to grid coordinates has put on a side, or behind it, is at its end. */
+/* A start on a side, or as near to it as rounding may put one, is at its end. */
 static void start_at_cage(struct walk *w) {
     const struct icc_cells *cells = w->f->cells;
-    const struct icc_domain *d = w->f->domain;
-    uint32_t cell = number(d, (uint32_t)w->q[0], (uint32_t)w->q[1]);
-    for (size_t at = cells->start[cell]; at < cells->start[cell + 1] && !w->ended; at++) {
-        uint32_t k = cells->side[at];
-        const double *a = d->cage[k], *b = d->cage[k + 1 < d->count ? k + 1 : 0];
-        double lambda;
-        if (predicate_orient(a, b, w->q) > 0 || !(distance_to_side(d, k, w->q, &lambda) < NEAR))
-            continue;
-        w->line->side = k;
+    uint32_t cell = number(w->f->domain, (uint32_t)w->q[0], (uint32_t)w->q[1]);
+    double nearest = NEAR, lambda;
+    for (size_t at = cells->start[cell]; at < cells->start[cell + 1]; at++) {
+        double distance = distance_to_side(w->f->domain, cells->side[at], w->q, &lambda);
+        if (!(distance < nearest)) continue;
+        nearest = distance;
+        w->line->side = cells->side[at];
         w->line->lambda = lambda;
-        stop(w, ICC_END_CAGE);
     }
+    if (nearest < NEAR) stop(w, ICC_END_CAGE);
 }
 
 bool icc_trace(const struct icc_field *f, const double p[2], enum icc_direction direction,

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* icc-map - moves points from a cage to a deformed version of it. */
 #include "cage_io.h"
+#include "icc_notes.h"
 #include "icc_options.h"
 #include "list_io.h"
 #include "mem.h"
 #include "model_options.h"
 #include "obj_copy.h"
 #include "places_io.h"
+#include "polylines_io.h"
 
 #include <string.h>
 
@@ -39,7 +41,7 @@ static const struct cli_program program = {
 };
 
 struct settings {
-    struct icc_rule rule;
+    struct icc_options icc;
     bool inverse, coords, from_coords, has_plane, verbose, progress;
     int outside;
     int axes[3];
@@ -55,14 +57,17 @@ static bool misuse(struct err *err, const char *what) {
 }
 
 /* What no single option can know. */
-static bool check(const struct cli *cli, const struct settings *set, struct err *err) {
-    int cages = set->coords ? 1 : 2, operands = cages + (set->model ? 0 : 1);
+static bool check(const struct cli *cli, struct settings *set, struct err *err) {
+    bool show = icc_options_show(&set->icc);
+    int cages = set->coords || show ? 1 : 2, operands = cages + (set->model || show ? 0 : 1);
     if (set->inverse + set->coords + set->from_coords > 1)
         return misuse(err, "--inverse, --coords and --from-coords exclude each other");
+    if (show && (set->inverse || set->coords || set->from_coords || set->model))
+        return misuse(err, "--lines and --show map nothing");
     if (set->model && (set->coords || set->from_coords))
         return misuse(err, "--model is not for coordinates");
     if (set->has_plane && !set->model) return misuse(err, "--plane needs --model");
-    if (!icc_options_end(&set->rule, cli, err) || !cli_check_operands(cli, cages, operands, err))
+    if (!icc_options_end(&set->icc, cli, err) || !cli_check_operands(cli, cages, operands, err))
         return false;
     for (int i = 0; set->model && strcmp(set->model, "-") == 0 && i < cages; i++)
         if (strcmp(cli_operand(cli, i), "-") == 0) return misuse(err, "two inputs from stdin");
@@ -74,7 +79,7 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
     bool ok = true;
     while (ok && (key = cli_next(cli, err)) != CLI_END) {
         if (key == CLI_STOP) return false;
-        if (icc_option_is(key)) ok = icc_option(&set->rule, cli, key, err);
+        if (icc_option_is(key)) ok = icc_option(&set->icc, cli, key, err);
         if (key == INVERSE) set->inverse = true;
         if (key == COORDS) set->coords = true;
         if (key == FROM_COORDS) set->from_coords = true;
@@ -104,6 +109,7 @@ static bool read_inputs(struct job *job, struct err *err) {
     const char *source = cli_operand(job->cli, 0), *target = cli_operand(job->cli, 1);
     const char *points = set->model ? set->model : cli_operand(job->cli, set->coords ? 1 : 2);
     if (!cage_read(&job->source, source, err)) return false;
+    if (icc_options_show(&set->icc)) return true;
     if (!set->coords && !cage_read_like(&job->target, target, &job->source, source, err))
         return false;
     if (set->from_coords)
@@ -115,30 +121,19 @@ static bool read_inputs(struct job *job, struct err *err) {
     return !set->coords || mem_new(job->places.place, job->places.count, err);
 }
 
-static void report(const struct job *job) {
-    for (int i = 0; i < (job->set->coords ? 1 : 2); i++) {
-        const struct icc_ray *r = &job->map.ray[i];
-        cli_note(job->cli,
-                 "%s: %zu points inside, %u on the cage; %zu triangles, all counter-clockwise in "
-                 "the disk%s",
-                 cli_operand(job->cli, i), r->mesh.mesh.vertex_count - r->mesh.rim_count,
-                 r->mesh.rim_count, r->mesh.mesh.triangle_count,
-                 r->uniform ? " with uniform weights" : "");
-    }
-}
-
 static bool bind(struct job *job, struct err *err) {
     const struct settings *set = job->set;
-    enum icc_use use = set->coords        ? ICC_NAME
+    const char *const name[2] = {cli_operand(job->cli, 0), cli_operand(job->cli, 1)};
+    bool alone = set->coords || icc_options_show(&set->icc);
+    enum icc_use use = alone              ? ICC_NAME
                        : set->from_coords ? ICC_ASK
                        : set->inverse     ? ICC_INVERSE
                                           : ICC_FORWARD;
-    if (!icc_map_init(&job->map, &job->source, &set->rule, use, err)) {
-        return err_place(err, cli_operand(job->cli, 0), 0, 0);
-    }
-    if (!set->coords && !icc_map_target(&job->map, &job->target, err))
-        return err_place(err, cli_operand(job->cli, 1), 0, 0);
-    if (set->verbose) report(job);
+    if (!icc_map_init(&job->map, &job->source, &set->icc.rule, use, err))
+        return err_place(err, name[0], 0, 0);
+    if (!alone && !icc_map_target(&job->map, &job->target, err))
+        return err_place(err, name[1], 0, 0);
+    icc_notes_bound(job->cli, &job->map, name, set->verbose);
     return true;
 }
 
@@ -153,9 +148,21 @@ static bool map(struct job *job, struct err *err) {
                               .progress = cli_progress_begin(&progress, job->cli, set->progress)};
     bool ok = icc_map_batch(&job->map, &batch, err);
     cli_progress_end(&progress);
+    if (ok && set->verbose)
+        icc_notes_mapped(job->cli, &job->map,
+                         (const char *const[]){cli_operand(job->cli, 0), cli_operand(job->cli, 1)});
     if (!ok || batch.outside == 0 || set->from_coords || set->outside == OUTSIDE_KEEP) return ok;
     return vertices_refuse(&job->vertices, cli_operand(job->cli, set->inverse), batch.outside,
                            batch.first, err);
+}
+
+static bool show(const struct job *job, struct out *out, struct err *err) {
+    const struct icc_options *icc = &job->set->icc;
+    struct polylines lines;
+    bool ok = icc_show(&job->map, (enum icc_show)icc->show, (size_t)icc->lines, &lines, err);
+    if (ok) polylines_write(out, &lines, (int)job->set->digits);
+    polylines_free(&lines);
+    return ok;
 }
 
 static bool copy(const struct job *job, struct out *out, struct err *err) {
@@ -165,6 +172,7 @@ static bool copy(const struct job *job, struct out *out, struct err *err) {
         .vertex = v->points.vertex, .normals = OBJ_NORMALS_KEEP, .digits = (int)set->digits};
     const struct list_change list = {
         .columns = 2, .point = v->points.vertex, .digits = (int)set->digits};
+    if (icc_options_show(&set->icc)) return show(job, out, err);
     if (set->coords)
         return places_name(out, &v->file, &job->places, &job->source, (int)set->digits, err);
     if (set->from_coords) return places_ask(out, &v->file, &job->places, (int)set->digits, err);

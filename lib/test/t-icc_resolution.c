@@ -148,9 +148,11 @@ static double length(const double a[2], const double b[2]) {
 }
 
 static double brute_width(const double (*v)[2], size_t n, double limit) {
-    double way[64] = {0}, least = limit;
+    double way[64] = {0}, least = limit, before = -1;
     for (size_t k = 0; k < n; k++) way[k + 1] = way[k] + length(v[k], v[(k + 1) % n]);
-    for (size_t k = 0; k < n; k++)
+    for (size_t k = 0; k < n; k++) {
+        if (way[k] - before < limit / 64) continue;
+        before = way[k];
         for (size_t side = 0; side < n; side++) {
             const double *a = v[side], *b = v[(side + 1) % n];
             double x = b[0] - a[0], y = b[1] - a[1];
@@ -161,6 +163,7 @@ static double brute_width(const double (*v)[2], size_t n, double limit) {
             there = fmin(there, way[n] - there);
             if (d > 1e-9 && there > 3 * d && d < least) least = d;
         }
+    }
     return least;
 }
 
