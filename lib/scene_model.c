@@ -143,7 +143,7 @@ static bool add_side(struct prisms *p, uint32_t triangle, int l) {
 static bool add_dots(struct prisms *p, const struct spline *s) {
     for (uint32_t i = 0; i < s->grid.point_count; i++)
         for (int sheet = 0; sheet < p->t.sheets; sheet++) {
-            struct scene_line dot = {.width = 3, .colour = DOT[s->sigma ? sheet : TOP]};
+            struct scene_line dot = {.width = 1.6, .colour = DOT[s->sigma ? sheet : TOP]};
             for (int l = 0; l < 2; l++) {
                 memcpy(dot.end[l], s->phi[i], sizeof s->phi[i]);
                 if (s->sigma) dot.end[l][2] = s->sigma[i][sheet];

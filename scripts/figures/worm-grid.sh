@@ -3,10 +3,10 @@
 # seen: The cuticle of C. elegans (Virtual Worm project) instead of the papers' organisms, which are not
 #   public. 40 cells along the body; the eight edits of the demo; where areas grow (red) and shrink (blue).
 worm=$DATA/models/virtual_worm_cuticle.obj
-mkgrid --model "$worm" --plane zy --cells 40 --margin 0.1 -o rest.grid
+mkgrid --model "$worm" --plane zy --cells 40 --margin 0.02 -o rest.grid
 draw-grid --model "$worm" -o worm-grid-rest.png rest.grid
 decles-edit "$DATA/demo/omega.edits" rest.grid -o bent.grid
 draw-grid --model "$worm" --layers jacobian,triangles,outline -o worm-grid-bent.png bent.grid
-check-grid bent.grid | grep -E '^(local|det-lower|c1-relative)'
+check-grid bent.grid | grep -E '^(local|det-lower|c1-relative|one-to-one)'
 deform-mesh "$worm" bent.grid -o bent.obj
 render-model --grid bent.grid bent.obj -o worm-grid-prisms.png
