@@ -27,13 +27,13 @@ bool cage_read(struct cage *c, const char *path, struct err *err) {
 }
 
 bool cage_read_like(struct cage *c, const char *path, const struct cage *source,
-                    const char *source_path, struct err *err) {
+                    const char *source_path, const char *advice, struct err *err) {
     struct polygon g;
     bool ok;
     if (!read_outline(&g, path, err)) return false;
     if (g.point_count != source->count)
-        ok = err_set(err, ERR_REFUSAL, "the cage has %zu vertices, but %s has %zu", g.point_count,
-                     name_of(source_path), source->count);
+        ok = err_set(err, ERR_REFUSAL, "the cage has %zu vertices, but %s has %zu%s", g.point_count,
+                     name_of(source_path), source->count, advice);
     else
         ok = cage_init_like(c, (const double(*)[2])g.point, g.point_count, source, err);
     polygon_free(&g);

@@ -6,14 +6,15 @@
 #ifndef ICC_PLANE_H
 #define ICC_PLANE_H
 
+#include "icc_map.h"
 #include "icc_overlay.h"
 #include "icc_sample.h"
 
 struct icc_plane {
-    struct icc_sampled what;
-    const struct icc_ray *ray[2]; /* source and target of method ray, or NULL */
-    double max_area;              /* of the triangles in the source, about */
-    int digits;                   /* of the target, 0: doubles */
+    struct icc_map *map; /* ICC_FORWARD, or ICC_INVERSE: then what is said of the source holds for
+                            the target, and the other way */
+    double max_area;     /* of the triangles in the source, about */
+    int digits;          /* of the target, 0: doubles */
 };
 
 struct icc_plane_report {
@@ -22,8 +23,8 @@ struct icc_plane_report {
 };
 
 /* Makes the map and proves that it has no folds. Refuses (ERR_REFUSAL): areas that are too small,
- * precision, and, without rays, what is still turned over after all attempts. Freed by
- * plane_map_free on success. */
+ * precision, and, for other methods than ray, what is still turned over after all attempts. Freed
+ * by plane_map_free on success. */
 bool icc_plane(struct plane_map *map, const struct icc_plane *p, struct icc_plane_report *report,
                struct err *err) WARN_UNUSED;
 

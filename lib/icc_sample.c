@@ -112,15 +112,30 @@ static bool map_boundary(struct sampler *s, bool *on_boundary, struct err *err) 
     return ok;
 }
 
+/* The new vertices that are not on the boundary. */
+static bool map_inside(struct sampler *s, const bool *on_boundary, struct err *err) {
+    size_t first = s->mapped, n = 0;
+    double(*point)[3];
+    if (!mem_new(point, s->map.vertex_count - first, err)) return false;
+    for (size_t v = first; v < s->map.vertex_count; v++)
+        if (!on_boundary || !on_boundary[v])
+            memcpy(point[n++], s->map.at[0][v], 2 * sizeof(double));
+    bool ok = s->what->map(s->what->context, point, n, err);
+    n = 0;
+    for (size_t v = first; v < s->map.vertex_count; v++)
+        if (!on_boundary || !on_boundary[v])
+            memcpy(s->map.at[1][v], point[n++], 2 * sizeof(double));
+    free(point);
+    return ok;
+}
+
 /* Vertices that are new. */
 static bool map_vertices(struct sampler *s, struct err *err) {
     size_t cap = s->mapped;
     bool *on_boundary = NULL, ok = mem_grow(s->map.at[1], &cap, s->map.vertex_count, err);
     if (ok && s->mapped == 0)
         ok = mem_new(on_boundary, s->map.vertex_count, err) && map_boundary(s, on_boundary, err);
-    for (size_t v = s->mapped; ok && v < s->map.vertex_count; v++)
-        if (!on_boundary || !on_boundary[v])
-            ok = s->what->image(s->what->context, s->map.at[0][v], s->map.at[1][v], err);
+    ok = ok && map_inside(s, on_boundary, err);
     s->mapped = s->map.vertex_count;
     free(on_boundary);
     return ok;

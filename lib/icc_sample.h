@@ -21,8 +21,8 @@ enum { ICC_SAMPLE_MAX = 2000000 }; /* triangles */
 
 struct icc_sampled {
     const struct cage *source, *target; /* borrowed */
-    /* The image q of a point p inside the source. */
-    bool (*image)(void *context, const double p[2], double q[2], struct err *err);
+    /* Replaces points inside the source, x y 0 each, by their images. */
+    bool (*map)(void *context, double (*point)[3], size_t count, struct err *err);
     void *context;
 };
 

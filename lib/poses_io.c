@@ -11,7 +11,7 @@ struct reader {
     struct src src;
     struct poses *poses;
     size_t cap;
-    const char *folder;
+    const char *folder, *extension;
 };
 
 static const char *base_name(const char *path) {
@@ -25,13 +25,18 @@ static char *copy(const char *text, size_t length, struct err *err) {
     return s;
 }
 
-static char *join(const char *folder, const char *name, struct err *err) {
-    size_t a = strlen(folder), b = strlen(name);
-    char *s = mem_alloc(a + b + 2, 1, err);
+/* FOLDER/NAME, or FOLDER/STEM and the extension. */
+static char *output_of(const struct reader *r, const char *name, struct err *err) {
+    const char *dot = strrchr(name, '.'), *extension = r->extension ? r->extension : "";
+    size_t folder = strlen(r->folder), stem = strlen(name), end = strlen(extension);
+    char *s;
+    if (r->extension && dot && dot > name) stem = (size_t)(dot - name);
+    s = mem_alloc(folder + stem + end + 2, 1, err);
     if (!s) return NULL;
-    memcpy(s, folder, a);
-    s[a] = '/';
-    memcpy(s + a + 1, name, b);
+    memcpy(s, r->folder, folder);
+    s[folder] = '/';
+    memcpy(s + folder + 1, name, stem);
+    memcpy(s + folder + 1 + stem, extension, end);
     return s;
 }
 
@@ -53,7 +58,7 @@ static bool read_pose(struct reader *r) {
     if (!p->path) return false;
     if (*base_name(p->path) == '\0')
         return src_fail(src, word, "expected a file name, got the folder '%s'", p->path);
-    p->output = join(r->folder, base_name(p->path), &src->err);
+    p->output = output_of(r, base_name(p->path), &src->err);
     return p->output != NULL;
 }
 
@@ -97,8 +102,9 @@ bool poses_spare(const struct poses *p, const char *path, struct err *err) {
     return true;
 }
 
-bool poses_read(struct poses *p, const char *list, const char *folder, struct err *err) {
-    struct reader r = {.poses = p, .folder = folder};
+bool poses_read(struct poses *p, const char *list, const char *folder, const char *extension,
+                struct err *err) {
+    struct reader r = {.poses = p, .folder = folder, .extension = extension};
     bool ok;
     *p = (struct poses){0};
     if (!src_open(&r.src, list, err)) return false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* poses_io - a list of files, one a line, and an output for each, of the same name in a folder.
+/* poses_io - a list of files, one a line, and an output for each, named after it, in a folder.
  *
  * Blanks around a name do not belong to it, '#' begins a comment. Names are as on a command line:
  * relative to where the program runs. The outputs appear together, when all are written: until then
@@ -20,9 +20,11 @@ struct poses {
     struct pose *pose;
 };
 
-/* Reads a list; NULL or "-" is stdin. Two files of one name, and outputs that are a file of the
- * list, are ERR_USAGE. Freed by poses_free in any case. */
-bool poses_read(struct poses *p, const char *list, const char *folder, struct err *err) WARN_UNUSED;
+/* Reads a list; NULL or "-" is stdin. Outputs have the names of the files, with this extension
+ * (".obj") in the place of their own, unless it is NULL. Two outputs of one name, and outputs that
+ * are a file of the list, are ERR_USAGE. Freed by poses_free in any case. */
+bool poses_read(struct poses *p, const char *list, const char *folder, const char *extension,
+                struct err *err) WARN_UNUSED;
 
 /* Ends with ERR_USAGE if an output is this file, which is to be read; NULL and "-" are none. */
 bool poses_spare(const struct poses *p, const char *path, struct err *err) WARN_UNUSED;

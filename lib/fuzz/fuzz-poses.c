@@ -13,7 +13,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     struct fuzz_file f = fuzz_open(data, size);
     struct poses p;
     struct err err = {0};
-    if (poses_read(&p, f.path, "/no/folder", &err)) {
+    if (poses_read(&p, f.path, "/no/folder", NULL, &err)) {
         INVARIANT(p.count > 0);
         for (size_t i = 0; i < p.count; i++) {
             const char *path = p.pose[i].path, *name = strrchr(path, '/');

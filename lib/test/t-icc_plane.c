@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Deformations by method ray on triangles: hard pairs of cages and random ones; every map is
- * checked here in rationals: no triangle is turned over in source or target, and their areas add up
- * to those of the cages. Overlays are the deformation itself: the images of their vertices and of
- * points inside their triangles are those of icc_ray_map. */
+ * checked as it is printed, exactly: no triangle is turned over in source or target, and their
+ * areas add up to those of the cages. Overlays are the deformation itself: the images of their
+ * vertices and of points inside their triangles are those of icc_ray_map. */
 #include "icc_plane.h"
 
 #include "cages.h"
 #include "num.h"
 #include "planar.h"
+#include "plane_map_io.h"
 #include "testing.h"
 
 #include <math.h>
@@ -17,29 +18,21 @@
 
 struct bound {
     struct cage cage[2];
-    struct icc_ray ray[2];
-    struct icc_ray_cursor cursor;
+    struct icc_map map;
 };
 
 static bool bind(struct bound *b, const struct cage_pair *p, struct err *err) {
+    const struct icc_rule rule = {.has_points = true, .points = 600};
     *b = (struct bound){0};
     return cage_init(&b->cage[0], (const double(*)[2])p->source, p->count, err) &&
            cage_init_like(&b->cage[1], (const double(*)[2])p->target, p->count, &b->cage[0], err) &&
-           icc_ray_init(&b->ray[0], &b->cage[0], NULL, 600, err) &&
-           icc_ray_init(&b->ray[1], &b->cage[1], &b->ray[0], 600, err) &&
-           icc_ray_prepare(&b->ray[0], ICC_RAY_LOOK_UP, err) &&
-           icc_ray_prepare(&b->ray[1], ICC_RAY_ASK, err);
+           icc_map_init(&b->map, &b->cage[0], &rule, ICC_FORWARD, err) &&
+           icc_map_target(&b->map, &b->cage[1], err);
 }
 
 static void unbind(struct bound *b) {
-    for (int m = 1; m >= 0; m--) icc_ray_free(&b->ray[m]);
+    icc_map_free(&b->map);
     for (int m = 0; m < 2; m++) cage_free(&b->cage[m]);
-}
-
-static bool image(void *context, const double p[2], double q[2], struct err *err) {
-    struct bound *b = context;
-    return icc_ray_map(&b->ray[0], &b->ray[1], &b->cursor, p, q) ||
-           err_set(err, ERR_REFUSAL, "(%g, %g) lies outside", p[0], p[1]);
 }
 
 /* Twice the area of a triangle; its sign is exact. */
@@ -97,7 +90,7 @@ static bool is_sound(const struct plane_map *map, const struct bound *b, int dig
         for (size_t t = 0; t < map->triangle_count; t++) {
             const uint32_t *i = map->triangle[t];
             long double area = area2(map->at[m][i[0]], map->at[m][i[1]], map->at[m][i[2]]);
-            ok = ok && area > 0;
+            if (!(area > 0)) return false;
             sum += area;
         }
         ok = ok && has_vertices(map, m, c, d) &&
@@ -106,20 +99,86 @@ static bool is_sound(const struct plane_map *map, const struct bound *b, int dig
     return ok;
 }
 
+/* ---- what is written ---- */
+
+struct text {
+    char *bytes;
+    size_t length, cap;
+};
+
+static void append(void *context, const char *bytes, size_t length) {
+    struct text *t = context;
+    if (t->length + length + 1 > t->cap) {
+        t->cap = 2 * (t->length + length + 1);
+        t->bytes = realloc(t->bytes, t->cap);
+    }
+    memcpy(t->bytes + t->length, bytes, length);
+    t->length += length;
+    t->bytes[t->length] = '\0';
+}
+
+static void read_face(const char *at, uint32_t face[3]) {
+    for (int c = 0; c < 3; c++) {
+        char *end;
+        face[c] = (uint32_t)strtoul(at, &end, 10) - 1;
+        assert_int_equal(*end, '/');
+        assert_int_equal(strtoul(end + 1, &end, 10) - 1, face[c]);
+        at = end;
+    }
+}
+
+/* The map as its OBJ says, read without lib/. */
+static void read_map(struct plane_map *map, char *text) {
+    char *save = NULL, *end;
+    size_t seen = 0, n = 0;
+    *map = (struct plane_map){0};
+    for (char *at = text; *at; at++) n += *at == '\n';
+    for (int m = 0; m < 2; m++) map->at[m] = calloc(n, sizeof *map->at[m]);
+    map->triangle = calloc(n, sizeof *map->triangle);
+    for (char *line = strtok_r(text, "\n", &save); line; line = strtok_r(NULL, "\n", &save)) {
+        if (line[0] == 'f') {
+            read_face(line + 1, map->triangle[map->triangle_count++]);
+        } else if (line[1] == 't') {
+            map->at[0][seen][0] = strtod(line + 2, &end);
+            map->at[0][seen++][1] = strtod(end, NULL);
+        } else {
+            map->at[1][map->vertex_count][0] = strtod(line + 1, &end);
+            map->at[1][map->vertex_count++][1] = strtod(end, &end);
+            assert_string_equal(end, " 0");
+        }
+    }
+    assert_int_equal(seen, map->vertex_count);
+}
+
+static bool prints_sound(const struct plane_map *map, const struct bound *b, int digits) {
+    struct text text = {0};
+    struct plane_map printed;
+    struct out out;
+    struct err err;
+    assert_true(out_open_sink(&out, append, &text, &err));
+    plane_map_write(&out, map, "", digits);
+    assert_true(out_close(&out, &err));
+    read_map(&printed, text.bytes);
+    bool ok = is_sound(&printed, b, digits) && printed.triangle_count == map->triangle_count;
+    plane_map_free(&printed);
+    free(text.bytes);
+    return ok;
+}
+
 /* The map's images of random points are those of the deformation. */
 static double worst_error(const struct plane_map *map, struct bound *b, uint64_t *state) {
+    struct icc_ray_cursor cursor = {0, 0};
     double worst = 0;
     for (int i = 0; i < 300; i++) {
         const uint32_t *t = map->triangle[random_in(state, 0, (int64_t)map->triangle_count - 1)];
         double w[3], sum = 0, p[2] = {0, 0}, q[2] = {0, 0}, r[2];
-        struct err err;
         for (int k = 0; k < 3; k++) sum += w[k] = random_unit(state) + 1e-3;
         for (int k = 0; k < 3; k++)
             for (int c = 0; c < 2; c++) {
                 p[c] += w[k] / sum * map->at[0][t[k]][c];
                 q[c] += w[k] / sum * map->at[1][t[k]][c];
             }
-        if (!image(b, p, r, &err)) continue; /* outside by rounding */
+        if (!icc_ray_map(&b->map.ray[0], &b->map.ray[1], &cursor, p, r)) continue; /* by rounding */
         worst = fmax(worst, hypot(q[0] - r[0], q[1] - r[1]));
     }
     return worst / b->cage[1].diameter;
@@ -138,27 +197,24 @@ static double largest(const struct plane_map *map) {
 static void check_overlay(uint64_t seed, struct bound *b, int digits, double stretch) {
     struct plane_map map;
     struct err err = {0};
-    bool ok = icc_overlay(&map, &b->ray[0], &b->ray[1], 0, digits, &err);
+    bool ok = icc_overlay(&map, &b->map.ray[0], &b->map.ray[1], 0, digits, &err);
     uint64_t state = seed;
     if (!ok) fprintf(stderr, "seed %d, %d digits: %s\n", (int)seed, digits, err.message);
     check_seed(seed, ok);
-    check_seed(seed, is_sound(&map, b, digits));
+    check_seed(seed, prints_sound(&map, b, digits));
     if (digits == 0) check_seed(seed, worst_error(&map, b, &state) < 1e-11 * stretch);
     plane_map_free(&map);
 }
 
 static void check_plane(uint64_t seed, struct bound *b, double triangles, int digits) {
-    struct icc_plane p = {{&b->cage[0], &b->cage[1], image, b},
-                          {&b->ray[0], &b->ray[1]},
-                          b->cage[0].area / triangles,
-                          digits};
+    struct icc_plane p = {&b->map, b->cage[0].area / triangles, digits};
     struct icc_plane_report report;
     struct plane_map map;
     struct err err = {0};
     bool ok = icc_plane(&map, &p, &report, &err);
     if (!ok) fprintf(stderr, "seed %d: %s\n", (int)seed, err.message);
     check_seed(seed, ok);
-    check_seed(seed, is_sound(&map, b, digits));
+    check_seed(seed, prints_sound(&map, b, digits));
     check_seed(seed, report.overlay || report.sample.left == 0);
     if (digits == 0 && report.sample.flipped == 0) check_seed(seed, largest(&map) <= p.max_area);
     plane_map_free(&map);
@@ -174,8 +230,7 @@ static void test_hard_pairs(void **unused) {
         cage_pair_make(&p, i);
         if (!bind(&b, &p, &err)) fprintf(stderr, "%s: %s\n", p.name, err.message);
         check_seed((uint64_t)i, err.kind == ERR_NONE);
-        check_overlay((uint64_t)i, &b, 0, p.stretch);
-        check_overlay((uint64_t)i, &b, 6, p.stretch);
+        check_overlay((uint64_t)i, &b, i % 2 ? 6 : 0, p.stretch);
         check_plane((uint64_t)i, &b, 100, 0);
         check_plane((uint64_t)i, &b, 2000, 5);
         unbind(&b);
@@ -185,7 +240,7 @@ static void test_hard_pairs(void **unused) {
 
 static void test_random_pairs(void **unused) {
     (void)unused;
-    for (int i = 0; i < test_count(10); i++) {
+    for (int i = 0; i < test_count(6); i++) {
         struct cage_pair p;
         struct bound b;
         struct err err = {0};

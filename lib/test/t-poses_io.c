@@ -32,9 +32,11 @@ static void write_file(const char *path, const char *text, size_t length) {
     assert_int_equal(fclose(file), 0);
 }
 
+static const char *extension;
+
 static bool read_list(struct poses *p, const char *text, struct err *err) {
     write_file("list", text, strlen(text));
-    return poses_read(p, "list", "out", err);
+    return poses_read(p, "list", "out", extension, err);
 }
 
 static void test_read(void **unused) {
@@ -50,6 +52,26 @@ static void test_read(void **unused) {
     assert_string_equal(p.pose[1].output, "out/ b c.xy");
     assert_string_equal(p.pose[2].output, "out/last");
     poses_free(&p);
+}
+
+static void test_extension(void **unused) {
+    static const char *const names[][2] = {{"a.b.xy", "out/a.b.obj"},
+                                           {"x.y/a", "out/a.obj"},
+                                           {".xy", "out/.xy.obj"},
+                                           {"b.", "out/b.obj"}};
+    struct poses p;
+    struct err err = {0};
+    (void)unused;
+    extension = ".obj";
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        assert_true(read_list(&p, names[i][0], &err));
+        assert_string_equal(p.pose[0].output, names[i][1]);
+        poses_free(&p);
+    }
+    assert_false(read_list(&p, "a.xy\na.dat\n", &err));
+    assert_string_equal(err.message, "the output 'out/a.obj' is already that of line 1");
+    poses_free(&p);
+    extension = NULL;
 }
 
 static void test_refusals(void **unused) {
@@ -123,6 +145,7 @@ static void test_commit(void **unused) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_read, enter_folder, leave_folder),
+        cmocka_unit_test_setup_teardown(test_extension, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_refusals, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_spares_input, enter_folder, leave_folder),
         cmocka_unit_test_setup_teardown(test_commit, enter_folder, leave_folder),

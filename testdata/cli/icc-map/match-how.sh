@@ -1,0 +1,1 @@
+icc-map --match angle "$DATA/examples/L.xy" "$DATA/examples/square.xy" p

@@ -1,0 +1,1 @@
+icc-map --mesh 0.2 --model m.obj "$DATA/examples/square.xy" "$DATA/examples/quad.xy"

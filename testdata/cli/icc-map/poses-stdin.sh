@@ -1,0 +1,2 @@
+# the list and the points cannot both be stdin
+icc-map --poses - --out-dir . "$DATA/examples/cage.xy"
