@@ -115,7 +115,11 @@ static int compare_cells(const void *a, const void *b) {
     const uint32_t fold = palette_growth(-1) & 0xfcfcfcff;
     if ((m->colour == fold) != (n->colour == fold)) return m->colour == fold ? 1 : -1; /* last */
     if (m->colour != n->colour) return m->colour < n->colour ? -1 : 1;
-    return memcmp(m->corner, n->corner, sizeof m->corner); /* any order, but always the same */
+    for (int i = 0; i < 6; i++) { /* any order, but always the same */
+        double x = m->corner[i / 2][i % 2], y = n->corner[i / 2][i % 2];
+        if (x != y) return x < y ? -1 : 1;
+    }
+    return 0;
 }
 
 static void paint_cells(const struct figure_panel *p, struct cells *cells) {
@@ -135,7 +139,7 @@ static bool add_triangle(struct cells *cells, const struct figure_panel *p,
                          struct spline_cursor *cursor, uint32_t t, int steps, struct err *err) {
     for (int i = 0; i < steps; i++)
         for (int j = 0; i + j < steps; j++)
-            for (int down = 0; down <= (i + j + 1 < steps); down++) {
+            for (int down = 0; down < (i + j + 1 < steps ? 2 : 1); down++) {
                 double b[3][3];
                 for (int k = 0; k < 3; k++) {
                     int bi = i + (down ? k != 0 : k == 0), bj = j + (down ? k != 1 : k == 1);

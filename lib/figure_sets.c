@@ -52,7 +52,7 @@ static void draw_arrows(const struct figure_panel *p, const struct edit_move *mo
         drawing_arrow(p->drawing, from, to, 7, &anchor);
         return;
     }
-    if (memcmp(move->wish, move->from, sizeof move->wish) == 0)
+    if (move->wish[0] == move->from[0] && move->wish[1] == move->from[1])
         drawing_arrow(p->drawing, from, to, 4, &went);
     else {
         drawing_arrow(p->drawing, from, by_wish, 4, move->role == EDIT_SLAVE ? &wish : &dashed);

@@ -151,7 +151,7 @@ static bool follow(struct show *s, const struct ray *ray, uint32_t t, uint32_t e
 static bool show_line(struct show *s, size_t i, size_t count) {
     const struct icc_ray *r = s->r;
     struct icc_place place = icc_show_place(r->cage, i, count);
-    const uint32_t *start = &r->mesh.start[place.side];
+    const uint32_t *start = r->mesh.start + place.side;
     uint32_t parts = start[1] - start[0], part = (uint32_t)(place.lambda * parts);
     const uint32_t *rim = s->rim[start[0] + (part < parts ? part : parts - 1)];
     struct ray ray;

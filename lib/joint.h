@@ -70,6 +70,7 @@ bool joint_finish(struct joint *j, struct plane_map *map, struct err *err) WARN_
 
 /* Where a vertex is now, rounded. */
 static inline const double *joint_place(const struct joint *j, int plane, uint32_t v) {
+    /* cppcheck-suppress CastIntegerToAddressAtReturn */
     return j->settled[v] ? j->wish[plane][v] : j->map.at[plane][v];
 }
 

@@ -68,7 +68,8 @@ static bool name_triangles(struct overlap *o, const struct grid *g, struct err *
     bool ok = mem_new(box, g->triangle_count, err);
     for (uint32_t t = 0; ok && t < g->triangle_count; t++) {
         double at[3][2];
-        for (int i = 0; i < 6; i++) at[i / 2][i % 2] = corner(g, t, i / 2)[i % 2];
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < 2; c++) at[i][c] = corner(g, t, i)[c];
         box[t] = box_of_points(3, (const double(*)[2])at);
     }
     ok = ok && boxes_init(&boxes, box, g->triangle_count, err);

@@ -62,24 +62,30 @@ static bool read_pose(struct reader *r) {
     return p->output != NULL;
 }
 
+struct sorted {
+    const struct pose *pose;
+};
+
 static int by_output(const void *a, const void *b) {
-    const struct pose *const *p = a, *const *q = b;
-    int order = strcmp((*p)->output, (*q)->output);
-    return order ? order : ((*p)->line > (*q)->line) - ((*p)->line < (*q)->line);
+    const struct pose *p = ((const struct sorted *)a)->pose, *q = ((const struct sorted *)b)->pose;
+    int order = strcmp(p->output, q->output);
+    return order ? order : (p->line > q->line) - (p->line < q->line);
 }
 
 /* The clash that comes first in the list. */
 static bool check_names(struct reader *r, struct err *err) {
     const struct poses *p = r->poses;
-    const struct pose **sorted = NULL, *first = NULL, *second = NULL;
+    const struct pose *first = NULL, *second = NULL;
+    struct sorted *sorted = NULL;
     if (!mem_new(sorted, p->count, err)) return false;
-    for (size_t i = 0; i < p->count; i++) sorted[i] = &p->pose[i];
+    for (size_t i = 0; i < p->count; i++) sorted[i].pose = &p->pose[i];
     qsort(sorted, p->count, sizeof *sorted, by_output);
     for (size_t i = 1; i < p->count; i++) {
-        if (strcmp(sorted[i - 1]->output, sorted[i]->output) != 0) continue;
-        if (second && second->line < sorted[i]->line) continue;
-        first = sorted[i - 1];
-        second = sorted[i];
+        const struct pose *before = sorted[i - 1].pose, *pose = sorted[i].pose;
+        if (strcmp(before->output, pose->output) != 0) continue;
+        if (second && second->line < pose->line) continue;
+        first = before;
+        second = pose;
     }
     free(sorted);
     return !second ||

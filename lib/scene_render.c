@@ -103,7 +103,8 @@ static void draw_line(struct renderer *r, size_t i) {
     dx = b[0] - a[0];
     dy = b[1] - a[1];
     length = sqrt(dx * dx + dy * dy);
-    if (memcmp(line->end[0], line->end[1], sizeof line->end[0]) == 0) {
+    if (line->end[0][0] == line->end[1][0] && line->end[0][1] == line->end[1][1] &&
+        line->end[0][2] == line->end[1][2]) {
         for (int k = 0; k < DISC; k++) {
             const double *u = r->disc[k], *v = r->disc[k + 1];
             double p[3] = {a[0] + radius * u[0], a[1] + radius * u[1], a[2]};

@@ -41,7 +41,8 @@ static void image_mean(const struct texture *t, const double at[2], const double
     int nu = points_along(&t->view, u), nv = points_along(&t->view, v);
     for (int k = 0; k < 4; k++) rgba[k] = 0;
     for (int i = 0; i < nu * nv; i++) {
-        double a = (i % nu + 0.5) / nu - 0.5, b = (i / nu + 0.5) / nv - 0.5; /* -1/2..1/2 */
+        const int column = i % nu, row = i / nu;
+        double a = (column + 0.5) / nu - 0.5, b = (row + 0.5) / nv - 0.5; /* -1/2..1/2 */
         double position[1][2], colour[4];
         float pixel[IMAGE_CHANNELS_MAX];
         for (int k = 0; k < 2; k++)
