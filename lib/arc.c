@@ -2,14 +2,16 @@
 /* Errors. Let coordinates be at most 1, each within e of the true one, and u = 2^-53. A direction m
  * is any pair of doubles, without error. Then m.x computed is within (|m_x| + |m_y|)(e + 3u) of the
  * true value, to first order: a product rounds by u |m_x|, their sum by u (|m_x| + |m_y|). The code
- * takes e + 4u. For the difference of two points it is twice that. */
+ * takes e + 4u. For the difference of two points it is twice that. A direction so short that its
+ * products might underflow proves nothing. */
 #include "arc.h"
 
 #include <math.h>
 #include <string.h>
 
 static double spread(const double m[2], double error) {
-    return (fabs(m[0]) + fabs(m[1])) * (error + 0x1p-51);
+    double length = fabs(m[0]) + fabs(m[1]);
+    return length > 0x1p-900 ? length * (error + 0x1p-51) : INFINITY;
 }
 
 static double dot(const double m[2], const double x[2]) {

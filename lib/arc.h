@@ -11,10 +11,10 @@
  *             piece does not meet itself. If those of two pieces, of which one begins where the
  *             other ends, lie in one half-plane, then the pieces meet nowhere else.
  *   apart:    pieces do not meet if a line separates their control points.
- *   cross:    let m be normal to the chord of B, n to that of A. If m.a_0 < m.b_j < m.a_d and
- *             n.b_0 < n.a_i < n.b_d for all i, j, or with either order reversed, then A(s) = B(t)
- *             somewhere within: m.(A(s) - B(t)) and n.(B(t) - A(s)) change signs between opposite
- *             sides of the square of (s,t) (Poincare-Miranda).
+ *   cross:    let m and n not be parallel: normal to the chord of B, and to that of A. If m.a_0 <
+ *             m.b_j < m.a_d and n.b_0 < n.a_i < n.b_d for all i, j, or with either order reversed,
+ *             then A(s) = B(t) somewhere within: m.(A(s) - B(t)) and n.(B(t) - A(s)) change signs
+ *             between opposite sides of the square of (s,t) (Poincare-Miranda).
  *
  * arc_* decide this in doubles, with proved bounds of their errors: true is a proof, false means
  * nothing. arc_exact_* decide it in integers (GMP), for the directions that they try. */

@@ -133,6 +133,48 @@ static void test_lines(void **state) {
     }
 }
 
+/* From (1,0) to a corner in (0,0), and back along y = slope x + bend x^2; and the mirror image of
+ * that, backwards. */
+static void test_corners(void **state) {
+    static const struct {
+        double slope, bend;
+        enum meet_verdict expected;
+    } cases[] = {{1, 0, MEET_NOT},
+                 {0x1p-30, 0, MEET_NOT},
+                 {0x1p-95, 0, MEET_NOT},
+                 {0x1p-900, 0, MEET_NOT},
+                 {0x1p-40, 1, MEET_NOT},
+                 {-0x1p-40, -3, MEET_NOT},
+                 {0.5, -3, MEET_CROSS},           /* again at x = 1/6 */
+                 {0x1p-40, -3, MEET_CROSS},       /* and at 2^-40 / 3 */
+                 {0x1p-30, -0x1p-20, MEET_CROSS}, /* and at 2^-10 */
+                 {0, 1, MEET_UNDECIDED},          /* leaves in the same direction */
+                 {0, 0, MEET_POINT}};             /* comes back on itself */
+    const double a[3][2] = {{1, 0}, {0.5, 0}, {0, 0}}, c[3][2] = {{0, 0}, {-0.5, 0}, {-1, 0}};
+    struct meet m;
+    (void)state;
+    meet_init(&m);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        double y[3] = {0, cases[i].slope, cases[i].bend}, b[3][2], back[3][2];
+        graph(2, 0, 1, y, b);
+        for (int k = 0; k < 3; k++) {
+            back[k][0] = -b[2 - k][0];
+            back[k][1] = b[2 - k][1];
+        }
+        for (int mirrored = 0; mirrored < 2; mirrored++) {
+            meet_arcs(2, mirrored ? (const double(*)[2])back : a,
+                      mirrored ? c : (const double(*)[2])b, MEET_JOINED, &rule, &m);
+            if (cases[i].expected == MEET_CROSS)
+                assert_true(m.verdict >= MEET_CROSS);
+            else
+                assert_int_equal(m.verdict, cases[i].expected);
+            if (m.verdict >= MEET_CROSS) /* not in the corner */
+                assert_true(mpq_sgn(m.lo[1]) > 0 && mpq_cmp_ui(m.hi[0], 1, 1) < 0);
+        }
+    }
+    meet_free(&m);
+}
+
 static void point_of(int d, const double (*q)[2], double t, double p[2]) {
     double row[POINTS][2];
     memcpy(row, q, (size_t)(d + 1) * sizeof *q);
@@ -287,9 +329,9 @@ static void test_random_chains(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parabola),      cmocka_unit_test(test_irrational_touch),
-        cmocka_unit_test(test_lines),         cmocka_unit_test(test_random_pairs),
-        cmocka_unit_test(test_random_chains),
+        cmocka_unit_test(test_parabola),     cmocka_unit_test(test_irrational_touch),
+        cmocka_unit_test(test_lines),        cmocka_unit_test(test_corners),
+        cmocka_unit_test(test_random_pairs), cmocka_unit_test(test_random_chains),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
