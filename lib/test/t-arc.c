@@ -4,6 +4,7 @@
 #include "arc.h"
 #include "ray.h"
 
+#include "curves.h"
 #include "testing.h"
 
 #include <math.h>
@@ -110,21 +111,12 @@ static int closed_curve(int d, double (*q)[POINTS][2], uint64_t *seed) {
     return arcs;
 }
 
-static void point_of(int d, const double (*q)[2], double t, double p[2]) {
-    double row[POINTS][2];
-    memcpy(row, q, (size_t)(d + 1) * sizeof *q);
-    for (int k = d; k > 0; k--)
-        for (int i = 0; i < k; i++)
-            for (int c = 0; c < 2; c++) row[i][c] = (1 - t) * row[i][c] + t * row[i + 1][c];
-    memcpy(p, row[0], sizeof row[0]);
-}
-
 /* The angle that an arc's polyline turns by as seen from p; its distance, too. */
 static double angle_of(int d, const double (*q)[2], const double p[2], double *distance) {
     double sum = 0, from[2], to[2];
-    point_of(d, q, 0, from);
+    curve_point(d, q, 0, from);
     for (int i = 1; i <= 200; i++) {
-        point_of(d, q, i / 200.0, to);
+        curve_point(d, q, i / 200.0, to);
         sum += atan2((from[0] - p[0]) * (to[1] - p[1]) - (from[1] - p[1]) * (to[0] - p[0]),
                      (from[0] - p[0]) * (to[0] - p[0]) + (from[1] - p[1]) * (to[1] - p[1]));
         *distance = fmin(*distance, hypot(to[0] - p[0], to[1] - p[1]));

@@ -3,6 +3,7 @@
  * boundaries. */
 #include "injective.h"
 
+#include "curves.h"
 #include "editing.h"
 #include "testing.h"
 #include "triangulations.h"
@@ -20,15 +21,6 @@ struct polylines {
     uint32_t component[SEGMENTS_MAX];
     double error; /* no arc is farther from its polyline */
 };
-
-static void point_of(int d, const double (*q)[2], double t, double p[2]) {
-    double row[16][2];
-    memcpy(row, q, (size_t)(d + 1) * sizeof *q);
-    for (int k = d; k > 0; k--)
-        for (int i = 0; i < k; i++)
-            for (int c = 0; c < 2; c++) row[i][c] = (1 - t) * row[i][c] + t * row[i + 1][c];
-    memcpy(p, row[0], sizeof row[0]);
-}
 
 /* Lowest vertex that can be reached along edges. */
 static void components_of(const struct grid *g, uint32_t *component) {
@@ -65,7 +57,7 @@ static void add_edge(struct polylines *p, const struct spline *s, uint32_t e, ui
         assert_true(n < SEGMENTS_MAX);
         for (int end = 0; end < 2; end++) {
             int k = i + end;
-            point_of(d, (const double(*)[2])q, (double)k / CUTS, p->at[n][end]);
+            curve_point(d, (const double(*)[2])q, (double)k / CUTS, p->at[n][end]);
             p->point[n][end] = k == 0      ? g->triangle[t][(l + 1) % 3]
                                : k == CUTS ? g->triangle[t][(l + 2) % 3]
                                            : g->vertex_count + e * CUTS + (uint32_t)k;
@@ -83,13 +75,6 @@ static void polylines_of(struct polylines *p, const struct spline *s) {
     p->error = 0;
     for (uint32_t e = 0; e < g->edge_count; e++)
         if (!grid_edge_is_inner(g, e)) add_edge(p, s, e, component[g->edge[e][0]]);
-}
-
-static double to_segment(const double a[2], const double b[2], const double p[2]) {
-    double ux = b[0] - a[0], uy = b[1] - a[1];
-    double t = ((p[0] - a[0]) * ux + (p[1] - a[1]) * uy) / (ux * ux + uy * uy);
-    t = fmin(1, fmax(0, t));
-    return hypot(p[0] - a[0] - t * ux, p[1] - a[1] - t * uy);
 }
 
 struct truth {
@@ -121,8 +106,8 @@ static void compare_segments(const struct polylines *p, int i, int j, struct tru
         if (p->point[i][k & 1] == p->point[j][k >> 1]) return;
     if (are_far(a, b, truth->distance)) return;
     for (int k = 0; k < 2; k++) {
-        depth = fmin(depth, to_segment(a[0], a[1], b[k]));
-        depth = fmin(depth, to_segment(b[0], b[1], a[k]));
+        depth = fmin(depth, segment_distance(a[0], a[1], b[k]));
+        depth = fmin(depth, segment_distance(b[0], b[1], a[k]));
     }
     if (do_cross(a, b)) truth->depth = fmax(truth->depth, depth);
     truth->distance = truth->depth >= 0 ? 0 : fmin(truth->distance, depth);

@@ -3,6 +3,7 @@
 #include "meet.h"
 #include "rational.h"
 
+#include "curves.h"
 #include "testing.h"
 
 #include <math.h>
@@ -175,33 +176,14 @@ static void test_corners(void **state) {
     meet_free(&m);
 }
 
-static void point_of(int d, const double (*q)[2], double t, double p[2]) {
-    double row[POINTS][2];
-    memcpy(row, q, (size_t)(d + 1) * sizeof *q);
-    for (int k = d; k > 0; k--)
-        for (int i = 0; i < k; i++)
-            for (int c = 0; c < 2; c++) row[i][c] = (1 - t) * row[i][c] + t * row[i + 1][c];
-    memcpy(p, row[0], sizeof row[0]);
-}
-
 enum { CUTS = 200 };
 
 static void polyline(int d, const double (*q)[2], double (*p)[2]) {
-    for (int i = 0; i <= CUTS; i++) point_of(d, q, (double)i / CUTS, p[i]);
+    for (int i = 0; i <= CUTS; i++) curve_point(d, q, (double)i / CUTS, p[i]);
 }
 
 static double side(const double a[2], const double b[2], const double c[2]) {
     return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/* Squared distance. */
-static double to_segment(const double a[2], const double b[2], const double p[2]) {
-    double ux = b[0] - a[0], uy = b[1] - a[1], length = ux * ux + uy * uy;
-    double t = length > 0 ? ((p[0] - a[0]) * ux + (p[1] - a[1]) * uy) / length : 0;
-    t = fmin(1, fmax(0, t));
-    ux = p[0] - a[0] - t * ux;
-    uy = p[1] - a[1] - t * uy;
-    return ux * ux + uy * uy;
 }
 
 struct truth {
@@ -215,13 +197,13 @@ static struct truth brute(const double (*a)[2], const double (*b)[2], int skip) 
     for (int i = 0; i < CUTS; i++)
         for (int j = 0; j < CUTS; j++) {
             if (skip > 0 && j <= i + skip) continue;
-            t.distance = fmin(t.distance, to_segment(a[i], a[i + 1], b[j]));
-            t.distance = fmin(t.distance, to_segment(b[j], b[j + 1], a[i]));
+            t.distance = fmin(t.distance, segment_distance(a[i], a[i + 1], b[j]));
+            t.distance = fmin(t.distance, segment_distance(b[j], b[j + 1], a[i]));
             if (side(a[i], a[i + 1], b[j]) * side(a[i], a[i + 1], b[j + 1]) < 0 &&
                 side(b[j], b[j + 1], a[i]) * side(b[j], b[j + 1], a[i + 1]) < 0)
                 t.cross = true;
         }
-    t.distance = t.cross ? 0 : sqrt(t.distance);
+    if (t.cross) t.distance = 0;
     return t;
 }
 
@@ -243,8 +225,8 @@ static void check_witness(int d, const double (*a)[2], const double (*b)[2], con
         check_seed(seed, mpq_cmp(m->lo[i], m->hi[i]) <= 0);
         check_seed(seed, rational_round(m->hi[i]) - rational_round(m->lo[i]) <= 0x1p-30);
     }
-    point_of(d, a, rational_round(m->lo[0]), p);
-    point_of(d, b, rational_round(m->lo[1]), q);
+    curve_point(d, a, rational_round(m->lo[0]), p);
+    curve_point(d, b, rational_round(m->lo[1]), q);
     check_seed(seed, hypot(p[0] - q[0], p[1] - q[1]) < 1e-7);
 }
 
