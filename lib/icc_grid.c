@@ -47,7 +47,9 @@ static bool make(struct icc_grid *g, const struct cage *cage, const struct icc_g
         !icc_cells_init(&g->cells, &g->domain, err))
         return false;
     struct icc_field field = icc_grid_field(g);
+    double lambda = 0.5;
     icc_resolution(&field, g->failures);
+    cage_to_given(cage, &g->failures[ICC_TEST_BARE].side, &lambda);
     return true;
 }
 
@@ -57,35 +59,41 @@ static int first_failure(const struct icc_grid *g) {
     return t;
 }
 
-/* Can cells be halved? */
-static bool can_refine(const struct cage *cage, double h) {
-    return cage->area / (h * h) * 4 <= ICC_POINTS_AUTO_MAX;
-}
-
 static double cell_side(const struct cage *cage, const struct icc_grid_rule *rule) {
     double finer = rule->resolution > 0 ? rule->resolution : 1;
     double points = rule->points > 0 ? rule->points : ICC_POINTS_THESIS;
     return (rule->cell > 0 ? rule->cell : sqrt(cage->area / points)) / finer;
 }
 
-static bool automatic_side(const struct cage *cage, double *h, struct err *err) {
-    double least = sqrt(cage->area / ICC_POINTS_AUTO_MAX), width;
-    *h = sqrt(cage->area / ICC_POINTS_AUTO);
-    if (!icc_width(vertices(cage), cage->count, 2 * *h, &width, err)) return false;
+/* The smallest cells that are taken unasked: thin cages that lie aslant have large grids. */
+static double least_side(const struct cage *cage) {
+    const double *low = cage->polygon.lo, *high = cage->polygon.hi;
+    double h = sqrt(cage->area / ICC_POINTS_AUTO_MAX);
+    while (((high[0] - low[0]) / h + 6) * ((high[1] - low[1]) / h + 6) > ICC_GRID_MAX) h *= 1.125;
+    return h;
+}
+
+static bool automatic_side(const struct cage *cage, double least, double *h, struct err *err) {
+    double side = fmax(sqrt(cage->area / ICC_POINTS_AUTO), least), width;
+    if (!icc_width(vertices(cage), cage->count, 2 * side, &width, err)) return false;
     *h = fmax(width / 2, least);
     return true;
 }
 
-/* A grid without a vertex inside is too coarse as well. */
+/* A grid without a vertex inside is too coarse as well; other errors are final. */
 static bool make_automatic(struct icc_grid *g, const struct cage *cage,
                            const struct icc_grid_rule *rule, struct err *err) {
-    double h;
-    if (!automatic_side(cage, &h, err)) return false;
+    double least = least_side(cage), h;
+    if (!automatic_side(cage, least, &h, err)) return false;
     for (;; h /= 2) {
-        bool ok = make(g, cage, rule, h, err);
-        if (ok && first_failure(g) == ICC_TESTS) return true;
-        if (!can_refine(cage, h) || (!ok && (!g->domain.inside || g->domain.inside_count > 0)))
+        struct err why;
+        bool ok = make(g, cage, rule, h, &why);
+        bool coarse =
+            ok ? first_failure(g) < ICC_TESTS : g->domain.inside && g->domain.inside_count == 0;
+        if (!coarse || h / 2 < least) {
+            if (!ok) *err = why;
             return ok;
+        }
         icc_grid_free(g);
     }
 }

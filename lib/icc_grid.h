@@ -34,7 +34,7 @@ struct icc_grid {
     struct icc_domain domain;
     struct icc_function function;
     struct icc_cells cells;
-    struct icc_failures failures[ICC_TESTS];
+    struct icc_failures failures[ICC_TESTS]; /* side as the cage was given */
 };
 
 /* What happened to points, each counted once under each heading. */

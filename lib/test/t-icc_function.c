@@ -124,6 +124,8 @@ static void theorems_on_random_balls(void **state) {
 }
 
 /* ---- boundary configurations ------------------------------------------------------------------
+ * [13] figure A.1 enumerates such configurations; these counts are those of our own enumeration.
+ *
  * What can be around an inside vertex v beside the boundary: for each of its 8 neighbours, outside,
  * or inside with a depth relative to v's. In a ball, by the theorems on median graphs (the squares
  * of a ball are one, CAT(0)), that is what these rules leave:

@@ -193,6 +193,58 @@ static void cells_are_halved(void **state) {
     cage_free(&cage);
 }
 
+/* Slivers: the first grids have no vertex inside, which is no error in the end. Where no grid of a
+ * reasonable size has one, that is said. */
+static void slivers(void **state) {
+    const struct icc_grid_rule rule = {.warn = true};
+    int made = 0, refused = 0;
+    (void)state;
+    for (uint64_t seed = 1; seed <= 40; seed++) {
+        uint64_t random = seed;
+        double width = 0.0001 + 0.004 * random_unit(&random), tilt = random_unit(&random);
+        const double sliver[4][2] = {{0, 0}, {1, tilt}, {1, tilt + width}, {0, width}};
+        struct err err = {0};
+        struct cage cage;
+        struct icc_grid g;
+        cage_of(&cage, sliver, 4);
+        if (icc_grid_init(&g, &cage, &rule, &err)) {
+            check_seed(seed, err.kind == ERR_NONE && g.domain.inside_count > 0);
+            made++;
+        } else {
+            check_seed(seed, strstr(err.message, "resolution: no vertex of a grid") != NULL);
+            refused++;
+        }
+        icc_grid_free(&g);
+        cage_free(&cage);
+    }
+    print_message("%d slivers, %d refused\n", made, refused);
+    assert_true(made > 20);
+}
+
+/* The side that a failure names is the user's, however the cage was given. */
+static void sides_as_given(void **state) {
+    const double spike[7][2] = {{0, 0},    {1, 0},    {1, 0.45}, {9, 0.5},
+                                {1, 0.55}, {1, 1.07}, {0, 1.07}};
+    const struct icc_grid_rule rule = {.cell = 0.1, .warn = true};
+    (void)state;
+    for (size_t shift = 0; shift < 7; shift++)
+        for (int reversed = 0; reversed < 2; reversed++) {
+            double given[7][2];
+            struct cage cage;
+            struct icc_grid g;
+            for (size_t i = 0; i < 7; i++)
+                memcpy(given[i], spike[(reversed ? 13 - i + shift : i + shift) % 7], sizeof *given);
+            cage_of(&cage, (const double(*)[2])given, 7);
+            make(&g, &cage, &rule);
+            const struct icc_failures *f = &g.failures[ICC_TEST_BARE];
+            const double *a = given[f->side], *b = given[(f->side + 1) % 7];
+            assert_true(f->count > 0);
+            assert_true(fabs(apart(a, f->at) + apart(f->at, b) - apart(a, b)) < 1e-9);
+            icc_grid_free(&g);
+            cage_free(&cage);
+        }
+}
+
 static void the_maximum_chosen(void **state) {
     const struct icc_grid_rule rule = {.points = 100, .has_maximum = true, .maximum = {0.5, 1.5}};
     const struct icc_grid_rule out = {.points = 100, .has_maximum = true, .maximum = {0.5, 2.5}};
@@ -252,7 +304,8 @@ int main(void) {
         cmocka_unit_test(there_and_back),   cmocka_unit_test(ends_are_exact),
         cmocka_unit_test(a_hair_inside),    cmocka_unit_test(cell_sides),
         cmocka_unit_test(cells_are_halved), cmocka_unit_test(the_maximum_chosen),
-        cmocka_unit_test(refusals),
+        cmocka_unit_test(refusals),         cmocka_unit_test(slivers),
+        cmocka_unit_test(sides_as_given),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
