@@ -11,6 +11,7 @@ static bool read_name(struct src *src, const char *what, char **name) {
     size_t length;
     if (src_take(src, "-")) return src_fail(src, NULL, "expected names of files, got '-'");
     if (!src_word(src, &word, &length)) return src_expected(src, what);
+    if (memchr(word, 0, length)) return src_fail(src, word, "expected %s, got a NUL byte", what);
     if (!mem_new(*name, length + 1, &src->err)) return false;
     memcpy(*name, word, length);
     return true;

@@ -4,6 +4,8 @@
 #include "num.h"
 #include "src.h"
 
+#include <string.h>
+
 struct reader {
     struct src src;
     struct polylines_maker maker;
@@ -25,6 +27,7 @@ static bool begin_line(struct reader *r) {
     r->open = true;
     if (!src_word(src, &word, &length) || is_number(word, length, &value))
         return polylines_number(&r->maker, value, &src->err);
+    if (memchr(word, 0, length)) return src_fail(src, word, "expected a label, got a NUL byte");
     return polylines_word(&r->maker, word, length, &err) || src_fail(src, word, "%s", err.message);
 }
 
