@@ -11,10 +11,10 @@
 #include <math.h>
 #include <string.h>
 
-#define AREA_MIN     1e-14 /* of diameter^2 */
-#define DIAMETER_MIN 1e-100
-#define DIAMETER_MAX 1e100
-#define ROUNDING     0x1p-48 /* of the largest coordinate: how far rounding may move a point */
+#define AREA_MIN   1e-14 /* of diameter^2 */
+#define SIZE_LEAST 1e-100
+#define SIZE_MOST  1e100
+#define ROUNDING   0x1p-48 /* of the largest coordinate: how far rounding may move a point */
 
 static bool check_list(const double (*vertex)[2], size_t n, struct err *err) {
     if (n < 3) return err_set(err, ERR_REFUSAL, "a cage has three vertices or more, got %zu", n);
@@ -117,10 +117,11 @@ static bool fill(struct cage *c, const double (*vertex)[2], struct err *err) {
 
 static bool measure(struct cage *c, struct err *err) {
     const struct polygon *g = &c->polygon;
+    double width = g->hi[0] - g->lo[0], height = g->hi[1] - g->lo[1];
+    if (!(fmax(width, height) >= SIZE_LEAST && fmax(width, height) <= SIZE_MOST))
+        return err_set(err, ERR_REFUSAL, "the cage is %g x %g large, not in %g..%g", width, height,
+                       SIZE_LEAST, SIZE_MOST);
     c->diameter = segment_length(g->lo, g->hi);
-    if (!(c->diameter >= DIAMETER_MIN && c->diameter <= DIAMETER_MAX))
-        return err_set(err, ERR_REFUSAL, "the diameter of the cage, %.9g, is not in %g..%g",
-                       c->diameter, DIAMETER_MIN, DIAMETER_MAX);
     c->area = fabs(area2((const double(*)[2])c->vertex, c->count)) / 2;
     c->perimeter = perimeter((const double(*)[2])c->vertex, c->count);
     return true;

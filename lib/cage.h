@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* cage - the simple polygons that integral curve coordinates are about.
  *
- * A cage has at least three vertices, and its sides meet only where one ends and the next begins;
- * its area exceeds 10^-14 of the square of its diameter. All that is decided exactly, for the
- * vertices as they stand. The lengths and the area below are rounded.
+ * A cage has at least three vertices, and its sides meet only where one ends and the next begins,
+ * which is decided exactly, for the vertices as they stand; its area exceeds 10^-14 of the square
+ * of its diameter, and the longer side of its box is in 10^-100..10^100. The lengths and the area
+ * below are rounded.
  *
  * A prepared cage is counter-clockwise and begins at its lowest vertex by (x, y), so that neither
  * where the user's list begins nor its sense has any effect on what is computed. Side k runs from
@@ -27,7 +28,7 @@ struct cage {
     bool reversed;          /* given clockwise */
     size_t shift;           /* number of vertex 0 as given */
     double area, perimeter;
-    double diameter; /* of the bounding box: its diagonal, in 10^-100..10^100 */
+    double diameter; /* of the bounding box: its diagonal */
 };
 
 /* Prepares n vertices as given, which are copied. Refusals (ERR_REFUSAL) name the vertices and

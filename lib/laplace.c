@@ -58,6 +58,8 @@ static void work_init(struct work *w, const struct laplace_problem *p) {
     cholmod_start(&w->common);
     w->common.print = 0;
     w->common.supernodal = CHOLMOD_SIMPLICIAL;
+    w->common.grow0 = w->common.grow1 = 0; /* no room for updates of the factor */
+    w->common.grow2 = 0;
     w->common.nmethods = w->n < DISSECT_FROM ? 1 : 2; /* the better of the two is taken */
     w->common.method[0].ordering = CHOLMOD_AMD;
     w->common.method[1].ordering = CHOLMOD_METIS;
@@ -130,6 +132,7 @@ static bool assemble(struct work *w, struct laplace_problem *p, struct err *err)
 static bool factor(struct work *w, struct err *err) {
     cholmod_common *c = &w->common;
     w->factor = cholmod_analyze(w->a, c);
+    if (w->n >= DISSECT_FROM) mem_trim();
     if (w->factor) cholmod_factorize(w->a, w->factor, c);
     if (!done(w, err)) return false;
     return w->factor->minor == w->n || err_set(err, ERR_REFUSAL, "precision: a pivot vanished");

@@ -22,7 +22,7 @@ static bool read_place(struct src *src, const struct cage *cage, struct icc_plac
     const char *first = src->at, *second, *third;
     int64_t k;
     if (src_take(src, "-")) return read_outside(src, place, x);
-    if (!src_int(src, "a side number or -", 0, INT64_MAX, &k)) return false;
+    if (!src_int(src, "a side number or -", 0, UINT32_MAX, &k)) return false;
     second = src->at;
     if (!src_double(src, "lambda", &place->lambda)) return false;
     third = src->at;

@@ -1,0 +1,1 @@
+echo "2 0.5" | icc-map --coords $DATA/examples/square.xy

@@ -1,0 +1,1 @@
+echo "2 2" | icc-map --inverse $DATA/examples/square.xy $DATA/examples/quad.xy
