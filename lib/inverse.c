@@ -8,7 +8,7 @@
  *   - with any other piece, the whole patch is searched: halved, both halves searched in turn
  *     unless q is not near their hulls, until they are tame or flat.
  *
- * The first that has one within 1 ulp is the answer, else the one that is nearest, if it is within
+ * The first that has one within 2 ulp is the answer, else the one that is nearest, if it is within
  * `border`. */
 #include "inverse.h"
 
@@ -19,8 +19,8 @@
 
 /* Each halving of an edge leaves a fourth of the bend along it, and 2^-52 of it is nothing, so
  * LEVELS in a row are plenty. A search takes some 100 in all, and 3,000 where the determinant is 0
- * on a line. Where it is 0 everywhere, as in a map onto a curve, points that are off that by little
- * can take millions: what is near after HALVINGS_MAX is not cut further. */
+ * on a line. Where an image is hardly wider than an ulp, as of a map onto a curve, points that are
+ * off it by little can take millions: what is near after HALVINGS_MAX is not cut further. */
 enum { LEVELS = 160, HALVINGS_MAX = 32768 };
 
 struct query {
@@ -83,7 +83,7 @@ static bool offer(struct query *query, const struct inverse_piece *p, const doub
     if (query->wanted && !query->wanted(query->context, &place)) return false;
     query->best = place;
     query->miss = miss;
-    return miss <= PIECE_NEAR;
+    return miss <= 2 * PIECE_NEAR;
 }
 
 static bool try_piece(struct query *query, const struct inverse_piece *p, const double (*bend)[2]) {

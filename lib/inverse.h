@@ -4,10 +4,11 @@
  * For a point q in the image of phi, what is found is the place of a p with |phi(p) - q| <= 4 ulp,
  * an ulp being that of the largest |coordinate| of the control points; mostly it is less than 1.
  * Images as programs compute them carry errors of that size, so that those of the boundary may lie
- * off the image. A q that is less than 16 ulp off it (of the largest |coordinate| of the domain, if
- * that is more) is therefore taken for the nearest point of the image, as far as that is known
- * within a third. A q that is farther off is proved to be outside, unless the Jacobian vanishes on
- * whole areas: then a search for a q close to the image may end early, and say so of it.
+ * off the image. So a q that is less than 9 ulp off it (of the largest |coordinate| of the domain,
+ * if that is more) is taken for a point of the image that is at most 1.75 times as far away as the
+ * nearest. A q that is more than 16 ulp off it is outside, and what is reported to be outside is
+ * proved to be at least 9 ulp off, unless the image of a whole triangle is hardly wider than an
+ * ulp: then a search for a q close to it may end early, and say that it is outside.
  *
  * The place is as good as said; its point p is rounded once more. So the preimage of phi(p) is p to
  * within 8 ulp over the least singular value of grad phi, and half an ulp of p.
@@ -52,7 +53,7 @@ struct inverse {
     uint8_t (*moved)[2]; /* of each triangle and component, see inverse_point */
 };
 
-/* With `one_to_one`, phi has been proved to be that (injective.h). Some 2 us a triangle of degree
+/* With `one_to_one`, phi has been proved to be that (injective.h). Some 4 us a triangle of degree
  * 5, 700 bytes. */
 bool inverse_init(struct inverse *v, const struct spline *s, bool one_to_one,
                   struct err *err) WARN_UNUSED;

@@ -8,8 +8,8 @@
 #include <string.h>
 
 #define TAME   0.25    /* kappa of a tame piece, at most */
-#define NEEDLE 0x1p-30 /* height over length of a triangle that is too thin for Newton's steps */
-#define SMALL  0x1p-30 /* a step after which the next one is lost in rounding */
+#define NEEDLE 0x1p-40 /* height over length of a triangle that is too thin for Newton's steps */
+#define SMALL  0x1p-60 /* a step, in b times in length: the next one would be lost in rounding */
 enum { STEPS_MAX = 64 };
 
 /* Where the coefficient with weights (i, j, k), j + k = row, stands. */
@@ -145,7 +145,7 @@ static int choose_edge(const struct piece *p, int degree, const double (*bend)[2
     for (int l = 0; l < 3; l++) {
         double crook, gain = variation(p, degree, bend, l, &crook);
         if (needle) gain = crook;
-        if (crook <= PIECE_NEAR / 64) gain = 0;
+        if (crook <= PIECE_NEAR / 256) gain = 0;
         if (gain > most) best = l;
         most = fmax(gain, most);
     }
@@ -167,7 +167,7 @@ void piece_bend(struct piece *p, int degree, const struct piece_net *net, double
             kappa = fmax(kappa, degree * relative_norm(p, d));
         }
     p->tame = !needle && kappa <= TAME;
-    p->flat = largest <= PIECE_NEAR;
+    p->flat = largest <= PIECE_NEAR / 2;
     p->ratio = kappa / (1 - kappa);
     if (!p->tame && !p->flat) p->longest = choose_edge(p, degree, (const double(*)[2])bend, needle);
 }
@@ -239,6 +239,19 @@ static void residual(const struct piece *p, const double y[2], const double b[3]
     for (int c = 0; c < 2; c++) r[c] = y[c] - b[1] * p->side[0][c] - b[2] * p->side[1][c] - bend[c];
 }
 
+/* |q - f(b)|, with products that are exact. */
+static double exact_miss(const struct piece *p, const double q[2], const double b[3],
+                         const double bend[2]) {
+    double r[2];
+    for (int c = 0; c < 2; c++) {
+        struct dd sum = dd_two_sum(q[c], -p->corner[c]);
+        sum = dd_add(sum, dd_two_prod(-b[1], p->side[0][c]));
+        sum = dd_add(sum, dd_two_prod(-b[2], p->side[1][c]));
+        r[c] = dd_add_double(sum, -bend[c]).hi;
+    }
+    return length(r[0], r[1]);
+}
+
 /* Does (1) say that no point of T maps to within slack / 2 of y? */
 static bool is_excluded(const struct piece *p, const double y[2], const double bend[2],
                         const double r[2], double slack) {
@@ -247,24 +260,26 @@ static bool is_excluded(const struct piece *p, const double y[2], const double b
     return distance(p, 0, x) < -most || distance(p, 1, x) < -most || distance(p, 2, x) < -most;
 }
 
-/* Newton's step, and back into T; returns its size. */
+/* Newton's step, and back into T; returns its size, in b times in length. An error of d in b, or w
+ * in length, leaves one of degree kappa d w at most after the next step. */
 static double step(const struct piece *p, const double r[2], double gradient[3][2], double b[3],
                    bool *inside) {
-    double s[2][2], d[2], x[2], det, before[2] = {b[1], b[2]};
+    double s[2][2], x[2], det, d[3], before[3];
     for (int m = 0; m < 2; m++)
         for (int c = 0; c < 2; c++) s[m][c] = p->side[m][c] + (gradient[m + 1][c] - gradient[0][c]);
     det = piece_area(s[0], s[1]);
-    d[0] = piece_area(r, s[1]) / det;
-    d[1] = piece_area(s[0], r) / det;
-    b[1] += d[0];
-    b[2] += d[1];
+    memcpy(before, b, sizeof before);
+    b[1] += piece_area(r, s[1]) / det;
+    b[2] += piece_area(s[0], r) / det;
     b[0] = 1 - b[1] - b[2];
     *inside = is_inside(b);
     if (!*inside) {
         point_at(p, b, x);
         nearest(p, x, b);
     }
-    return fmax(fabs(b[1] - before[0]), fabs(b[2] - before[1]));
+    for (int l = 0; l < 3; l++) d[l] = b[l] - before[l];
+    point_at(p, d, x);
+    return fmax(fabs(d[1]), fabs(d[2])) * length(x[0], x[1]);
 }
 
 bool piece_solve(const struct piece *p, int degree, const double (*bend)[2], const double q[2],
@@ -281,8 +296,7 @@ bool piece_solve(const struct piece *p, int degree, const double (*bend)[2], con
     *miss = 0;
     if (p->tame && done && inside) return true;
     bernstein_value(degree, 2, &bend[0][0], b, value);
-    residual(p, y, b, value, r);
-    *miss = length(r[0], r[1]);
+    *miss = exact_miss(p, q, b, value);
     return true;
 }
 
