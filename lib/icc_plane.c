@@ -14,9 +14,10 @@ static bool map_all(void *context, double (*point)[3], size_t count, struct err 
 }
 
 /* Is there hope that an overlay does what a sample, refused for that reason, does not? */
-static bool has_hope(const struct icc_plane *p, const struct cage *source, const struct err *why) {
-    return p->map->rule.method == ICC_RAY && (why->kind == ERR_NONE || why->kind == ERR_REFUSAL) &&
-           source->area / p->max_area <= ICC_SAMPLE_MAX;
+static bool has_hope(const struct icc_map *m, const struct icc_sample_report *r,
+                     const struct err *why) {
+    return m->rule.method == ICC_RAY && !r->too_many &&
+           (why->kind == ERR_NONE || why->kind == ERR_REFUSAL);
 }
 
 bool icc_plane(struct plane_map *map, const struct icc_plane *p, struct icc_plane_report *report,
@@ -31,7 +32,7 @@ bool icc_plane(struct plane_map *map, const struct icc_plane *p, struct icc_plan
               report->sample.left == 0 && plane_map_prove(map, &why);
     if (ok) return true;
     plane_map_free(map);
-    if (!has_hope(p, what.source, &why)) {
+    if (!has_hope(m, &report->sample, &why)) {
         if (why.kind == ERR_NONE) return refuse(&report->sample, err);
         *err = why;
         return false;

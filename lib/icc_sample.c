@@ -18,15 +18,18 @@ enum { ROUNDS = 3 };
 
 struct sampler {
     const struct icc_sampled *what;
+    struct icc_sample_report *report;
     struct plane_map map;
     size_t mapped;       /* vertices */
     uint32_t (*side)[2]; /* the edges of the boundary */
     size_t side_count;
 };
 
-static bool refuse(const struct shim_cgal_report *report, double max_area, struct err *err) {
-    if (report->status == SHIM_CGAL_MEMORY) return err_memory(err);
-    if (report->status == SHIM_CGAL_LIMIT)
+static bool refuse(struct sampler *s, enum shim_cgal_status status, double max_area,
+                   struct err *err) {
+    if (status == SHIM_CGAL_MEMORY) return err_memory(err);
+    s->report->too_many = status == SHIM_CGAL_LIMIT;
+    if (s->report->too_many)
         return err_set(err, ERR_REFUSAL,
                        "an area of %.9g takes more than %d triangles, which is the most", max_area,
                        ICC_SAMPLE_MAX);
@@ -51,7 +54,7 @@ static bool triangulate(struct sampler *s, const double (*point)[2], size_t coun
         criteria.max_triangles = ICC_SAMPLE_MAX;
         ok = shim_cgal_domain(&sides, &criteria, &mesh, &report);
     }
-    if (!ok) return refuse(&report, max_area, err);
+    if (!ok) return refuse(s, report.status, max_area, err);
     free(s->map.at[0]);
     free(s->map.triangle);
     s->map.at[0] = mesh.vertex;
@@ -163,8 +166,8 @@ static bool add_points(struct sampler *s, struct err *err) {
 }
 
 /* What is still turned over is mended; the rest is settled at its digits. */
-static bool finish(struct sampler *s, int digits, struct icc_sample_report *report,
-                   struct err *err) {
+static bool finish(struct sampler *s, int digits, struct err *err) {
+    struct icc_sample_report *report = s->report;
     struct joint j;
     bool ok = joint_init(&j, &s->map, NULL, err);
     if (ok) memset(j.fixed, true, s->what->source->count * sizeof *j.fixed);
@@ -183,10 +186,10 @@ static bool finish(struct sampler *s, int digits, struct icc_sample_report *repo
 
 bool icc_sample(struct plane_map *map, const struct icc_sampled *what, double max_area, int digits,
                 struct icc_sample_report *report, struct err *err) {
-    struct sampler s = {.what = what};
+    struct sampler s = {.what = what, .report = report};
     *report = (struct icc_sample_report){0};
     if (what->source->area / max_area > ICC_SAMPLE_MAX)
-        return refuse(&(struct shim_cgal_report){.status = SHIM_CGAL_LIMIT}, max_area, err);
+        return refuse(&s, SHIM_CGAL_LIMIT, max_area, err);
     bool ok = cage_sides(&s, err) &&
               triangulate(&s, (const double(*)[2])what->source->vertex, what->source->count,
                           max_area, err) &&
@@ -199,7 +202,7 @@ bool icc_sample(struct plane_map *map, const struct icc_sampled *what, double ma
         if (ok) report->left = count_flipped(&s.map);
     }
     report->added = s.mapped - given;
-    ok = ok && finish(&s, digits, report, err);
+    ok = ok && finish(&s, digits, err);
     free(s.side);
     *map = s.map;
     return ok;
