@@ -9,6 +9,7 @@
 #ifndef RENDER_H
 #define RENDER_H
 
+#include "spline.h"
 #include "texture.h"
 #include "textured.h"
 
@@ -46,5 +47,21 @@ void render_set(const struct render_style *style, const double sum[4], const str
 bool render_surface(const struct render_style *style, const struct textured *surface,
                     const int axes[3], const struct viewport *view, struct image *image,
                     struct err *err) WARN_UNUSED;
+
+/* The box of the domain. */
+void render_domain_box(const struct grid *g, double lo[2], double hi[2]);
+
+/* The box of the image of phi, as far as samples tell it: to within a thousandth of how far an edge
+ * bends. */
+bool render_map_box(const struct spline *s, double lo[2], double hi[2],
+                    struct err *err) WARN_UNUSED;
+
+/* Renders the pattern on the domain of phi under phi, by the preimage of every sample that counts:
+ * where the centres of a pixel and of its neighbours lie in one square, all of it does. Of several
+ * preimages the one of inverse.h is seen; any of them marks a fold. Some 1.5 us a pixel with a side
+ * of a square in it, for 4 x 4 samples; of maps that are not one-to-one ten times that, and layers
+ * of theirs that are narrower than a pixel may be overlooked. */
+bool render_map(const struct render_style *style, const struct spline *s,
+                const struct viewport *view, struct image *image, struct err *err) WARN_UNUSED;
 
 #endif

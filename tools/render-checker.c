@@ -3,6 +3,7 @@
 #include "cli.h"
 #include "colour_io.h"
 #include "filemap.h"
+#include "grid_io.h"
 #include "model_options.h"
 #include "picture_options.h"
 #include "render.h"
@@ -42,7 +43,8 @@ static const struct cli_program program = {
     .synopsis = "[OPTION]... [INPUT]",
     .options = options,
     .epilogue = "examples:\n"
-                "  convert-grid --to obj worm.grid | render-checker --plane zy -o worm-grid.png\n"
+                "  mkgrid --rect 0,0,8,6 --cells 8x6 | decles-edit -e 'move @4,3 by 1 0 reach 5' | "
+                "render-checker -o pushed.png\n"
                 "  mkgrid --rect 0,0,8,6 --cells 8x6 | convert-grid --to obj | "
                 "render-checker --mesh-lines --size 400x300 >cells.png\n",
 };
@@ -114,6 +116,7 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
 struct job {
     struct filemap file;
     struct textured surface;
+    struct grid_file grid;
     struct image texture, picture;
     struct viewport view;
     struct render_style style;
@@ -156,13 +159,26 @@ static bool render_obj(struct job *job, const struct settings *set, struct err *
            render_surface(&job->style, &job->surface, set->axes, &job->view, &job->picture, err);
 }
 
+static bool render_grid(struct job *job, const struct settings *set, struct err *err) {
+    const struct filemap *f = &job->file;
+    double lo[2], hi[2];
+    if (!grid_read_text(&job->grid, f->name, f->data, f->length, err)) return false;
+    render_domain_box(&job->grid.spline.grid, lo, hi);
+    return prepare(job, set, lo, hi, err) && render_map_box(&job->grid.spline, lo, hi, err) &&
+           picture_begin(&set->picture, lo, hi, &job->view, &job->picture, err) &&
+           render_map(&job->style, &job->grid.spline, &job->view, &job->picture, err);
+}
+
 static void run(const struct settings *set, struct err *err) {
     struct job job = {.file = {.name = NULL}};
-    (void)(filemap_open(&job.file, set->input, err) && render_obj(&job, set, err) &&
+    (void)(filemap_open(&job.file, set->input, err) &&
+           (grid_is_text(job.file.data, job.file.length) ? render_grid(&job, set, err)
+                                                         : render_obj(&job, set, err)) &&
            image_write(&job.picture, set->picture.format, set->picture.output, err));
     image_free(&job.picture);
     image_free(&job.texture);
     textured_free(&job.surface);
+    grid_file_free(&job.grid);
     filemap_close(&job.file);
 }
 

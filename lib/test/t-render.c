@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Oracles: every sample looked at by itself, all faces tried for it in long doubles; and for an
- * affine map, the areas of the colours by the integral. */
+/* Oracles: every sample looked at by itself, all faces tried for it in long doubles, or the
+ * preimage found by inverse.h and what is there by the defining sum; and for an affine map, the
+ * areas of the colours by the integral. */
 #include "render.h"
 
-#include "palette.h"
+#include "injective.h"
+#include "inverse.h"
+
+#include "polynomials.h"
 #include "testing.h"
+#include "triangulations.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -25,9 +30,9 @@ static const int axes[3] = {0, 1, 2};
 
 static void make_style(struct scene *s, uint64_t *state) {
     struct render_style *style = &s->style;
-    *style = (struct render_style){.antialias = (int)random_in(state, 1, 3),
-                                   .lines = random_in(state, 0, 1),
-                                   .folds = random_in(state, 0, 1)};
+    style->antialias = (int)random_in(state, 1, 3);
+    style->lines = random_in(state, 0, 1);
+    style->folds = random_in(state, 0, 1);
     for (int k = 0; k < 4; k++) {
         style->background[k] = random_unit(state);
         for (int i = 0; i < 2; i++) style->texture.colour[i][k] = random_unit(state);
@@ -191,7 +196,140 @@ static void areas(void **unused) {
     (void)unused;
 }
 
+/* --- Maps ----------------------------------------------------------------------------------- */
+
+struct map {
+    struct spline s;
+    struct inverse v;
+    struct inverse_cursor c;
+    struct viewport view;
+    struct render_style style;
+};
+
+static void derivative_at(const struct spline *s, const struct place *place, long double j[2][2]) {
+    long double f[2], b[3] = {place->b[0], place->b[1], place->b[2]};
+    sum_at(s, place->triangle, b, f, j);
+}
+
+static bool turned(void *context, const struct place *place) {
+    long double j[2][2];
+    derivative_at(context, place, j);
+    return j[0][0] * j[1][1] - j[0][1] * j[1][0] < 0;
+}
+
+/* Edges of the triangle, seen in the picture through the derivative. */
+static double nearest_line(const struct map *m, const struct place *place, long double j[2][2]) {
+    long double u[3][2], side[2], height[2], normal, away = INFINITY;
+    for (int l = 0; l < 3; l++) world_of(&m->s.grid, m->s.grid.triangle[place->triangle][l], u[l]);
+    for (int l = 0; l < 3; l++) {
+        const long double *a = u[(l + 1) % 3], *b = u[(l + 2) % 3];
+        for (int k = 0; k < 2; k++) { /* both to the picture */
+            side[k] = (j[k][0] * (b[0] - a[0]) + j[k][1] * (b[1] - a[1])) / m->view.step[k];
+            height[k] = (j[k][0] * (u[l][0] - a[0]) + j[k][1] * (u[l][1] - a[1])) / m->view.step[k];
+        }
+        normal = (side[0] * height[1] - side[1] * height[0]) / hypotl(side[0], side[1]);
+        away = fminl(away, fabsl(place->b[l] * normal));
+    }
+    return (double)away;
+}
+
+static bool look_at_map(struct map *m, const double q[2], struct render_sight *sight) {
+    struct place place;
+    long double j[2][2], det;
+    if (!inverse_find(&m->c, q, NULL, NULL, &place)) return false;
+    inverse_point(&m->v, q, &place, sight->at);
+    derivative_at(&m->s, &place, j);
+    det = j[0][0] * j[1][1] - j[0][1] * j[1][0];
+    sight->u[0] = (double)(j[1][1] / det * m->view.step[0]);
+    sight->u[1] = (double)(-j[1][0] / det * m->view.step[0]);
+    sight->v[0] = (double)(-j[0][1] / det * m->view.step[1]);
+    sight->v[1] = (double)(j[0][0] / det * m->view.step[1]);
+    sight->line = nearest_line(m, &place, j);
+    sight->fold = inverse_find(&m->c, q, turned, &m->s, &place);
+    return true;
+}
+
+static void make_map(struct map *m, uint64_t seed, uint64_t *state) {
+    double amount = seed % 4 ? 0.35 : 1.6, lo[2], hi[2];
+    const uint32_t size[2] = {WIDTH, HEIGHT};
+    struct err err = {0};
+    struct grid g;
+    random_grid(&g, 2, 1 + (int)(seed % 6), seed);
+    g.lattice = (struct lattice){0x1p-10, -1, -2};
+    assert_true(spline_identity(&m->s, &g, &err));
+    for (uint32_t p = 0; p < m->s.grid.point_count; p++)
+        for (int k = 0; k < 2; k++)
+            m->s.phi[p][k] += amount / m->s.grid.degree * (random_unit(state) - 0.5);
+    assert_true(inverse_init(&m->v, &m->s, injective_prove(&m->s, &err), &err));
+    assert_true(inverse_cursor_init(&m->c, &m->v, &err));
+    assert_true(render_map_box(&m->s, lo, hi, &err));
+    m->view = viewport_fit(lo, hi, size, seed % 2);
+    m->style = (struct render_style){.antialias = (int)random_in(state, 1, 3)};
+    m->style.lines = random_in(state, 0, 1);
+    m->style.folds = random_in(state, 0, 1);
+    m->style.texture = (struct texture){.square = ldexp(1, (int)random_in(state, -5, 0)),
+                                        .colour = {{1, 0, 0.5, 1}, {0, 1, 0.25, 0.5}}};
+}
+
+static void brute_force_map(struct map *m, uint32_t column, uint32_t row,
+                            const struct image *image) {
+    uint32_t n = (uint32_t)m->style.antialias;
+    double sum[4] = {0};
+    for (uint32_t i = 0; i < n * n; i++) {
+        double x = column + (i % n + 0.5) / n, y = row + (i / n + 0.5) / n;
+        const double q[2] = {viewport_world(&m->view, 0, x), viewport_world(&m->view, 1, y)};
+        struct render_sight sight;
+        if (look_at_map(m, q, &sight)) render_add(&m->style, &sight, sum);
+    }
+    render_set(&m->style, sum, image, column, row);
+}
+
+/* How many pixels differ. */
+static int differences(const struct image *a, const struct image *b) {
+    int differ = 0;
+    for (size_t p = 0; p < WIDTH * HEIGHT; p++) {
+        double worst = 0;
+        for (size_t k = 4 * p; k < 4 * p + 4; k++)
+            worst = fmax(worst, fabs((double)a->value[k] - b->value[k]));
+        differ += !(worst < 1e-3);
+    }
+    return differ;
+}
+
+/* A sample on the boundary may be told outside; of maps that are not one-to-one, layers narrower
+ * than a pixel may be overlooked. */
+static void maps(void **unused) {
+    int proved = 0;
+    for (int i = 0; i < test_count(60); i++) {
+        uint64_t seed = 0x3a950000 + (uint64_t)i, state = seed;
+        struct image got = {.width = WIDTH,
+                            .height = HEIGHT,
+                            .channels = 4,
+                            .alpha = 3,
+                            .sample = IMAGE_FLOAT},
+                     want;
+        struct err err = {0};
+        struct map m;
+        make_map(&m, seed, &state);
+        proved += m.v.one_to_one;
+        assert_true(image_allocate(&got, &err));
+        assert_true(image_allocate_like(&want, &got, WIDTH, HEIGHT, &err));
+        check_seed(seed, render_map(&m.style, &m.s, &m.view, &got, &err));
+        for (uint32_t p = 0; p < WIDTH * HEIGHT; p++)
+            brute_force_map(&m, p % WIDTH, p / WIDTH, &want);
+        check_seed(seed, differences(&got, &want) <= (m.v.one_to_one ? 1 : WIDTH * HEIGHT / 10));
+        image_free(&got);
+        image_free(&want);
+        inverse_cursor_free(&m.c);
+        inverse_free(&m.v);
+        spline_free(&m.s);
+    }
+    assert_true(proved > test_count(60) / 4 && proved < test_count(60));
+    (void)unused;
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(all_samples), cmocka_unit_test(areas)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(all_samples), cmocka_unit_test(areas),
+                                       cmocka_unit_test(maps)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
