@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""usage: convert-grid-msh.py NAME.grid...   each with what Gmsh made of NAME.msh: NAME.copy.msh, the mesh
-written again; NAME.pos, the ratio of least to largest Jacobian of each element; NAME.log."""
+"""usage: convert-grid-msh.py LOG NAME.grid...   each with what Gmsh made of NAME.msh: NAME.copy.msh, the mesh
+written again; NAME.pos, the ratio of least to largest Jacobian of each element; LOG, of one run with all."""
 import re
 import sys
 
@@ -54,14 +54,13 @@ def jacobian_range(grid, t):
     return min(value), max(value)
 
 
-def judge_jacobians(name, grid):
+def judge_jacobians(name, grid, log):
     """Largest difference from Gmsh's bounds, which lie outside the true ones by 1 % at most. They
     are Jacobians relative to the unit triangle: twice the domain triangle's area times det grad."""
     view = re.findall(r'ST\(.*?\)\{(.*?),', open(name + '.pos', encoding='utf-8').read())
     ranges = [jacobian_range(grid, t) for t in range(len(grid.triangles))]
     worst = max(abs(float(ratio) - low / high)
                 for ratio, (low, high) in zip(view, ranges, strict=True))
-    log = open(name + '.log', encoding='utf-8').read()
     found = re.search(r'minJ +=(.*)\(min, avg, max\)', log).group(1).split(',')
     lows = [low for low, _ in ranges]
     for got, want in zip(found, (min(lows), sum(lows) / len(lows), max(lows)), strict=True):
@@ -69,18 +68,20 @@ def judge_jacobians(name, grid):
     return worst
 
 
-def judge(path):
+def judge(path, log):
     name, grid = path[:-len('.grid')], Deformation(path)
-    assert 'Error' not in open(name + '.log', encoding='utf-8').read(), name
+    assert 'Error' not in log, name
     nodes = judge_nodes(name, grid)
     text, good = f'{path}: degree {grid.degree}, nodes off by {nodes:.2g}', nodes <= 1e-12
     if not grid.depth and grid.plane == 'xy':
-        jacobians = judge_jacobians(name, grid)
+        jacobians = judge_jacobians(name, grid, log)
         text += f', Jacobians by {jacobians:.2g}'
         good = good and jacobians <= 0.011  # 1 % of Gmsh, and what lies between the samples
     print(text)
     return good
 
 
-results = [judge(path) for path in sys.argv[1:]]
+with open(sys.argv[1], encoding='utf-8') as file:
+    logs = dict(run.split('\n', 1) for run in file.read().split('\ngrid ')[1:])
+results = [judge(path, logs[path[:-len('.grid')]]) for path in sys.argv[2:]]
 sys.exit(0 if results and all(results) else 1)

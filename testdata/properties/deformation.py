@@ -5,25 +5,33 @@ The map is the defining sum over the control points, each term in doubles, the s
 Barycentric coordinates (b0, b1, b2) belong to a triangle's corners in file order."""
 import functools
 import math
+import operator
 import os
 import random
 
 SCALE = float(os.environ.get('SUPPLE_TEST_SCALE', '100')) / 100  # of the numbers of random cases
 
 
+@functools.lru_cache(maxsize=None)
 def weights(degree):
     """All (i, j, k) of that sum, i descending, then j descending."""
     return [(i, j, degree - i - j) for i in range(degree, -1, -1) for j in range(degree - i, -1, -1)]
 
 
-def bernstein(degree, w, b):
-    n = math.factorial(degree)
+@functools.lru_cache(maxsize=None)
+def multinomial(w):
+    n = math.factorial(sum(w))
     for m in w:
         n //= math.factorial(m)
-    return n * b[0] ** w[0] * b[1] ** w[1] * b[2] ** w[2]
+    return n
 
 
-known_bernstein = functools.lru_cache(maxsize=100000)(bernstein)  # for a raster of samples
+def basis(degree, b):
+    """The Bernstein polynomials in the order of weights."""
+    return [multinomial(w) * b[0] ** w[0] * b[1] ** w[1] * b[2] ** w[2] for w in weights(degree)]
+
+
+known_basis = functools.lru_cache(maxsize=10000)(basis)  # for a raster of samples
 
 
 class Deformation:
@@ -32,6 +40,7 @@ class Deformation:
             rows = [line.split('#')[0].split() for line in file]
         self.rows = iter([row for row in rows if row])
         self.plane, self.lattice, self.depth = 'xy', [1.0, 0.0, 0.0], None
+        self.known_slopes = {}
         self.read()
         self.number()
 
@@ -86,7 +95,7 @@ class Deformation:
 
     def sums(self, t, b):
         """phi, sigma0 and sigma1 at b."""
-        term = [(bernstein(self.degree, w, b), self.points[self.of[t, w]]) for w in weights(self.degree)]
+        term = [(f, self.points[self.of[t, w]]) for w, f in zip(weights(self.degree), basis(self.degree, b))]
         return [math.fsum(f * q[c] for f, q in term) for c in range(len(self.points[0]))]
 
     def image(self, t, b, up=0.0):
@@ -101,19 +110,20 @@ class Deformation:
             result[axis] = value
         return result
 
+    def slopes(self, t):
+        """Differences of control points towards b1 and b2, x and y of each, as basis(degree-1) weighs them."""
+        if t not in self.known_slopes:
+            pairs = [(m, (w[0] + 1, w[1], w[2]), tuple(w[n] + (n == m) for n in range(3)))
+                     for m in (1, 2) for w in weights(self.degree - 1)]
+            self.known_slopes[t] = [[self.points[self.of[t, up]][c] - self.points[self.of[t, back]][c]
+                                     for n, back, up in pairs if n == m] for m in (1, 2) for c in range(2)]
+        return self.known_slopes[t]
+
     def determinant(self, t, b):
         """Of the derivative by (b1, b2): det grad phi times twice the triangle's area."""
-        d, column = self.degree, []
-        for m in (1, 2):
-            column.append([0.0, 0.0])
-            for w in weights(d - 1):
-                f = d * known_bernstein(d - 1, w, b)
-                up = tuple(w[l] + (l == m) for l in range(3))
-                back = (w[0] + 1, w[1], w[2])
-                for c in range(2):
-                    column[-1][c] += f * (self.points[self.of[t, up]][c] -
-                                          self.points[self.of[t, back]][c])
-        return column[0][0] * column[1][1] - column[0][1] * column[1][0]
+        f = known_basis(self.degree - 1, b)
+        x1, y1, x2, y2 = (self.degree * sum(map(operator.mul, f, slope)) for slope in self.slopes(t))
+        return x1 * y2 - y1 * x2
 
     def size(self):
         """What errors are measured by: the largest coordinate."""
