@@ -5,6 +5,6 @@
 mkgrid --rect 0,0,6,4 --cells 3x2 -o flat.grid
 for c in 0 1; do
     decles-edit --continuity $c -e 'move v^4,2 by 1 0.6 reach 4' flat.grid -o c$c.grid
-    draw-grid --layers jacobian,net,triangles -o decles-continuity-$c.png c$c.grid
+    draw-grid --layers jacobian,net,triangles -o decles14-s3.1-continuity-$c.png c$c.grid
     check-grid c$c.grid 2>&1 | grep -E '^(c1-residual|edges-c|local)' || true
 done

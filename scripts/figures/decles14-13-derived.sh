@@ -1,4 +1,4 @@
-# title: [14] figure 13: what follows an anchor, by its type
+# title: What follows an anchor, by its type
 # paper: For an anchor of each type, the points that become derived and the conditions that are kept.
 # seen: The anchor in the middle of each picture is a corner, an edge corner, an edge point, an inner
 #   corner, an inner edge point of degree 5 at a vertex with six triangles. The counts printed are those
@@ -11,5 +11,5 @@ for point in v^2,2 ^2.2,2 ^2.4,2 ^2.4,2.2 ^2.6,2.4; do
     printf 'edits 1\nmove %s by 0.15 0.1\n' $point >one.edits
     decles-edit --verbose one.edits flat.grid 2>&1 >/dev/null | grep -o '|A|.*|E| [0-9]*'
     draw-grid --edit one.edits:2 --side domain --layers triangles,net,quads,sets --width 420 \
-        $([ $n = 1 ] || echo --no-legend) -o decles-derived-$n.png flat.grid
+        -o decles14-13-derived-$n.png flat.grid
 done

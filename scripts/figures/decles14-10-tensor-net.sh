@@ -1,4 +1,4 @@
-# title: [14] figure 10: a bicubic tensor net, for comparison
+# title: A bicubic tensor net, for comparison
 # paper: The Bezier net of a patch that is a tensor product, as free-form deformation uses it.
 # seen: 16 control points in 4 rows, and the lines of constant parameter of their patch. Two such patches
 #   are C1 when the points on both sides of the seam lie on lines; nine points must move together where
@@ -30,4 +30,4 @@ BEGIN {
     }
     for (i = 0; i < 4; i++) for (j = 0; j < 4; j++) { put(px[i, j], py[i, j], "net"); print "" }
 }' >tensor.lines
-draw-grid --no-grid --lines tensor.lines --width 500 -o tensor-net.png
+draw-grid --no-grid --lines tensor.lines --width 500 -o decles14-10-tensor-net.png

@@ -22,4 +22,4 @@ points 6
 end
 GRID
 check-grid bad.grid 2>/dev/null | grep -E '^(local|det-)' || true
-draw-grid --layers jacobian,triangles,net,points --side deformed --width 500 -o decles-negative.png bad.grid
+draw-grid --layers jacobian,triangles,net,points --side deformed --width 500 -o decles14-s3.4-negative.png bad.grid
