@@ -40,8 +40,16 @@ bool colour_read(const char *word, size_t length, uint32_t *colour) {
     return true;
 }
 
+size_t colour_read_list(const char *word, size_t most, uint32_t *colour) {
+    for (size_t count = 0; count < most; word++) {
+        size_t length = strcspn(word, ",");
+        if (!colour_read(word, length, &colour[count++])) return 0;
+        word += length;
+        if (!*word) return count;
+    }
+    return 0;
+}
+
 bool colour_read_pair(const char *word, uint32_t colour[2]) {
-    size_t first = strcspn(word, ",");
-    return word[first] == ',' && colour_read(word, first, &colour[0]) &&
-           colour_read(word + first + 1, strlen(word + first + 1), &colour[1]);
+    return colour_read_list(word, 2, colour) == 2;
 }

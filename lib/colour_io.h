@@ -16,7 +16,10 @@
 /* Reads a word as 0xRRGGBBAA. */
 bool colour_read(const char *word, size_t length, uint32_t *colour);
 
-/* Two of them with a comma between. */
+/* Up to `most` of them with commas between; returns how many, 0 if the word is something else. */
+size_t colour_read_list(const char *word, size_t most, uint32_t *colour);
+
+/* Two of them. */
 bool colour_read_pair(const char *word, uint32_t colour[2]);
 
 #endif

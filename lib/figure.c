@@ -49,8 +49,11 @@ static void measure(struct figure_panel *p) {
         widen(p, content->image->frame);
         widen(p, content->image->frame + 2);
     }
-    for (size_t i = 0; content->lines && i < content->lines->point_count; i++)
-        widen(p, content->lines->point[i]);
+    for (size_t i = 0; content->lines && i < content->lines->point_count; i++) {
+        const double *at = content->lines->point[i], r = p->options->lines.square / 2;
+        widen(p, (double[]){at[0] - r, at[1] - r});
+        widen(p, (double[]){at[0] + r, at[1] + r});
+    }
 }
 
 /* The side of a square for each control point. */

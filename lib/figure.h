@@ -42,13 +42,30 @@ struct figure_content {          /* all borrowed; NULL: not there */
     const struct figure_image *image;
 };
 
+enum { FIGURE_COLOURS_MAX = 32 };
+
+struct figure_lines_style {
+    double width;  /* of paths, page units */
+    double dot;    /* radius of dots, page units */
+    double square; /* if > 0, dots are squares with sides of this length, world units */
+    bool labels;   /* written at each dot */
+    uint32_t colour[FIGURE_COLOURS_MAX]; /* of the first words, 0xRRGGBBAA; others: the palette's */
+    size_t colour_count;
+};
+
 struct figure_options {
     enum figure_side side;
     unsigned layers; /* 1 << layer each */
     double width;    /* of the page */
     bool y_down;     /* the world's y grows downwards */
     bool legend;
+    struct figure_lines_style lines;
 };
+
+static inline void figure_options_init(struct figure_options *o) {
+    *o = (struct figure_options){
+        .side = FIGURE_DEFORMED, .width = 800, .legend = true, .lines = {.width = 1, .dot = 1.6}};
+}
 
 /* Fills the drawing, which is the caller's to free in any case. Only memory can be short. */
 bool figure_draw(struct drawing *d, const struct figure_content *content,

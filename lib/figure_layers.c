@@ -275,7 +275,7 @@ void figure_quads(const struct figure_panel *p) {
             }
 }
 
-/* ---- labels and polylines ---- */
+/* ---- labels ---- */
 
 static void label(const struct figure_panel *p, const double xy[2], double size, double aside,
                   uint32_t colour, uint32_t number) {
@@ -304,29 +304,5 @@ void figure_labels(const struct figure_panel *p) {
         for (int l = 0; l < 3; l++)
             for (int c = 0; c < 2; c++) middle[c] += p->point[g->triangle[t][l]][c] / 3;
         label(p, middle, size, 0, palette_category(0), t);
-    }
-}
-
-static uint32_t colour_of_line(const struct polylines *lines, size_t l) {
-    double low = lines->range[0], high = lines->range[1];
-    if (lines->name_of[l] != POLYLINES_NO_NAME) return palette_category(lines->name_of[l]);
-    return high > low ? palette_value((lines->value[l] - low) / (high - low)) : PALETTE_INK;
-}
-
-void figure_lines(const struct figure_panel *p) {
-    const struct polylines *lines = p->content->lines;
-    for (size_t l = 0; l < lines->line_count; l++) {
-        size_t first = lines->start[l], n = lines->start[l + 1] - first;
-        struct drawing_ink ink = {.stroke = colour_of_line(lines, l), .width = 1};
-        double at[2];
-        for (size_t i = 0; i < n; i++) {
-            figure_page(p, lines->point[first + i], at);
-            if (n > 1) (i ? drawing_line : drawing_move)(p->drawing, at[0], at[1]);
-        }
-        if (n == 1) {
-            drawing_disc(p->drawing, at[0], at[1], 1.6);
-            ink = (struct drawing_ink){.fill = ink.stroke};
-        }
-        drawing_paint(p->drawing, &ink);
     }
 }

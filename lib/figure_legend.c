@@ -108,14 +108,31 @@ static void growth(struct flow *f) {
     scale(f, "det grad phi (left: folded)", 23, colour, 5, place, det);
 }
 
-static void lines(struct flow *f, const struct polylines *p) {
-    for (size_t i = 0; i < p->name_count; i++) {
+/* Has the first line of that name more than a point? */
+static bool is_path(const struct polylines *p, uint32_t name) {
+    size_t l = 0;
+    while (p->name_of[l] != name) l++;
+    return p->start[l + 1] - p->start[l] > 1;
+}
+
+static void word(struct flow *f, const struct figure_panel *panel, uint32_t i) {
+    const struct polylines *p = panel->content->lines;
+    const uint32_t colour = figure_word_colour(panel, i);
+    struct drawing_ink ink = {.stroke = colour, .width = 1.5};
+    if (is_path(p, i)) {
         double x = reserve(f, 14, p->name[i]);
         drawing_move(f->d, x, f->y);
         drawing_line(f->d, x + 14, f->y);
-        drawing_paint(f->d,
-                      &(struct drawing_ink){.stroke = palette_category((uint32_t)i), .width = 1.5});
+    } else {
+        drawing_disc(f->d, reserve(f, 2 * MARK, p->name[i]) + MARK, f->y, 0.8 * MARK);
+        ink = (struct drawing_ink){.fill = colour};
     }
+    drawing_paint(f->d, &ink);
+}
+
+static void lines(struct flow *f, const struct figure_panel *panel) {
+    const struct polylines *p = panel->content->lines;
+    for (size_t i = 0; i < p->name_count; i++) word(f, panel, (uint32_t)i);
     if (p->range[1] > p->range[0]) {
         uint32_t colour[20];
         for (int i = 0; i < 20; i++) colour[i] = palette_value((i + 0.5) / 20);
@@ -132,6 +149,6 @@ double figure_legend(const struct figure_panel *p, double y) {
     if (sets && p->deformed) arrows(&f);
     if (content->spline && figure_shows(p, FIGURE_QUADS)) quads(&f, content->edit != NULL);
     if (content->spline && figure_shows(p, FIGURE_JACOBIAN)) growth(&f);
-    if (content->lines) lines(&f, content->lines);
+    if (content->lines) lines(&f, p);
     return f.used ? f.y + LINE : y;
 }

@@ -39,6 +39,7 @@ void figure_net(const struct figure_panel *p);
 void figure_points(const struct figure_panel *p);
 void figure_labels(const struct figure_panel *p);
 void figure_lines(const struct figure_panel *p);
+uint32_t figure_word_colour(const struct figure_panel *p, uint32_t name); /* of polylines */
 void figure_sets(const struct figure_panel *p);
 
 /* The mark of a control point, whose colour tells its type or its role in an edit. */

@@ -6,6 +6,7 @@
 #include "figure.h"
 #include "figure_image.h"
 #include "figure_model.h"
+#include "figure_options.h"
 #include "grid_io.h"
 #include "image_io.h"
 #include "mem.h"
@@ -16,34 +17,16 @@
 #include <stdio.h>
 #include <string.h>
 
-enum {
-    KEY_SIDE = 256,
-    KEY_LAYERS,
-    KEY_EDIT,
-    KEY_MODEL,
-    KEY_LINES,
-    KEY_IMAGE,
-    KEY_FRAME,
-    KEY_WIDTH,
-    KEY_TO,
-    KEY_NO_GRID,
-    KEY_NO_LEGEND,
-    KEY_Y_DOWN
-};
+enum { KEY_EDIT = 256, KEY_MODEL, KEY_LINES, KEY_IMAGE, KEY_FRAME, KEY_TO, KEY_NO_GRID };
 
 static const struct cli_option options[] = {
-    {KEY_SIDE, "side", "WHICH", "domain, deformed (default) or both"},
-    {KEY_LAYERS, "layers", "LIST",
-     "of triangles,net,points,types,quads,labels,sets,jacobian,outline"},
     {KEY_EDIT, "edit", "EDITS:LINE", "carry out EDITS up to this line and show what that does"},
     {KEY_MODEL, "model", "FILE", "with the silhouette of this OBJ model"},
     {KEY_LINES, "lines", "FILE", "with these polylines: x y LABEL, a blank line ends one"},
     {KEY_IMAGE, "image", "FILE", "over this image"},
     {KEY_FRAME, "frame", "X0,Y0,X1,Y1", "where the image lies (default: one unit a pixel, y down)"},
     {KEY_NO_GRID, "no-grid", NULL, "draw the lines or the image alone"},
-    {KEY_WIDTH, "width", "W", "of the picture, in pixels or 1/96 inch (800)"},
-    {KEY_Y_DOWN, "y-down", NULL, "the world's y grows downwards"},
-    {KEY_NO_LEGEND, "no-legend", NULL, "without the legend"},
+    FIGURE_OPTIONS,
     {KEY_TO, "to", "FORMAT", "png, svg or pdf (default: by the name of -o, else png)"},
     {'o', "output", "FILE", "write there (stdout)"},
     {0, NULL, NULL, NULL},
@@ -68,7 +51,7 @@ struct settings {
     bool has_frame;
     char *edits; /* the file of --edit */
     size_t line;
-    bool no_grid;
+    bool no_grid, styled;
     enum drawing_format format;
 };
 
@@ -87,14 +70,9 @@ static bool parse_edit(const struct cli *cli, struct settings *set, struct err *
 }
 
 static bool set_option(struct settings *set, const struct cli *cli, int key, struct err *err) {
-    int side = 0;
+    set->styled |= figure_option_of_lines(key);
+    if (figure_option_is(key)) return figure_option(&set->figure, cli, key, err);
     switch (key) {
-    case KEY_SIDE:
-        if (!cli_choice(cli, figure_side_names, &side, err)) return false;
-        set->figure.side = (enum figure_side)side;
-        return true;
-    case KEY_LAYERS:
-        return cli_names(cli, figure_layer_names, &set->figure.layers, err);
     case KEY_EDIT:
         return parse_edit(cli, set, err);
     case KEY_MODEL:
@@ -112,14 +90,6 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
     case KEY_NO_GRID:
         set->no_grid = true;
         return true;
-    case KEY_NO_LEGEND:
-        set->figure.legend = false;
-        return true;
-    case KEY_Y_DOWN:
-        set->figure.y_down = true;
-        return true;
-    case KEY_WIDTH:
-        return cli_double(cli, 64, 32767, &set->figure.width, err);
     case KEY_TO:
         return cli_choice(cli, drawing_format_names, &set->to, err);
     default: /* 'o' */
@@ -141,6 +111,10 @@ static bool check(const struct cli *cli, struct settings *set, struct err *err) 
                        "the layer sets needs --edit EDITS:LINE; try draw-grid --help");
     if (set->no_grid && !set->lines && !set->image)
         return err_set(err, ERR_USAGE, "--no-grid needs --lines or --image; try draw-grid --help");
+    if (set->styled && !set->lines)
+        return err_set(err, ERR_USAGE,
+                       "--line-width, --dots, --squares, --dot-labels and --colors need --lines; "
+                       "try draw-grid --help");
     if (set->has_frame && !set->image)
         return err_set(err, ERR_USAGE, "--frame needs --image FILE; try draw-grid --help");
     if (set->image && !set->has_frame) set->figure.y_down = true;
@@ -236,8 +210,8 @@ static void run(const struct settings *set, struct err *err) {
 int main(int argc, char **argv) {
     struct err err = {0};
     struct cli cli;
-    struct settings set = {.to = DRAWING_BY_NAME,
-                           .figure = {.side = FIGURE_DEFORMED, .width = 800, .legend = true}};
+    struct settings set = {.to = DRAWING_BY_NAME};
+    figure_options_init(&set.figure);
     cli_init(&cli, &program, argc, argv);
     if (parse(&cli, &set, &err)) run(&set, &err);
     free(set.edits);

@@ -5,6 +5,7 @@
 
 #include "c1.h"
 #include "edits_io.h"
+#include "palette.h"
 #include "testing.h"
 #include "triangulations.h"
 
@@ -157,6 +158,55 @@ static void silhouettes_turn_one_way(void **unused) {
     spline_free(&s);
 }
 
+/* ---- polylines ---- */
+
+/* The page has 100 units for each of the 8 of the world with its squares: from -0.5 to 7.5, and
+ * -0.5 to 3.5. */
+static void lines_have_their_style(void **unused) {
+    static const double at[][2] = {{0, 0}, {7, 3}, {7, 0}, {3, 2}};
+    struct polylines p = {0};
+    struct polylines_maker maker = {.p = &p};
+    struct figure_content content = {.lines = &p};
+    struct figure_options options;
+    struct drawing d;
+    struct err err;
+    (void)unused;
+    assert_true(polylines_word(&maker, "path", 4, &err));
+    for (int i = 0; i < 2; i++) assert_true(polylines_point(&maker, at[i], &err));
+    assert_true(polylines_word(&maker, "dot", 3, &err) && polylines_point(&maker, at[2], &err));
+    assert_true(polylines_number(&maker, 1, &err) && polylines_point(&maker, at[3], &err));
+    assert_true(polylines_number(&maker, 2, &err) && polylines_point(&maker, at[0], &err));
+    polylines_end(&maker);
+
+    figure_options_init(&options);
+    options.width = 828;
+    options.legend = false;
+    options.lines = (struct figure_lines_style){
+        .width = 3, .square = 1, .colour = {0x11223344}, .colour_count = 1};
+    assert_true(figure_draw(&d, &content, &options, &err));
+    assert_int_equal(d.shape_count, 4); /* squares first */
+    assert_int_equal(d.shape[0].ink.fill, palette_category(1));
+    assert_int_equal(d.shape[1].ink.fill, palette_value(0));
+    assert_int_equal(d.shape[2].ink.fill, palette_value(1));
+    for (int c = 0; c < 2; c++) {
+        double lo = INFINITY, hi = -INFINITY;
+        for (size_t i = 0; i < 4; i++) {
+            lo = fmin(lo, d.point[d.shape[1].point + i][c]);
+            hi = fmax(hi, d.point[d.shape[1].point + i][c]);
+        }
+        assert_true(fabs(lo - (c ? 114 : 314)) < 1e-9 && fabs(hi - lo - 100) < 1e-9);
+    }
+    assert_true(d.shape[3].ink.stroke == 0x11223344 && d.shape[3].ink.width == 3);
+    drawing_free(&d);
+    options.lines = (struct figure_lines_style){.width = 1, .dot = 5, .labels = true};
+    assert_true(figure_draw(&d, &content, &options, &err));
+    assert_int_equal(d.shape_count, 4 + 3); /* three of them have a label, the path has none */
+    assert_int_equal(d.shape[0].ink.stroke, palette_category(0));
+    assert_int_equal(d.shape[1].ink.fill, palette_category(1));
+    drawing_free(&d);
+    polylines_free(&p);
+}
+
 /* ---- images ---- */
 
 static uint32_t shown(int channels, int alpha, bool straight, enum image_sample sample,
@@ -306,6 +356,7 @@ int main(void) {
         cmocka_unit_test(corners_are_where_the_page_has_them),
         cmocka_unit_test(growth_covers_the_domain),
         cmocka_unit_test(silhouettes_turn_one_way),
+        cmocka_unit_test(lines_have_their_style),
         cmocka_unit_test(images_become_colours),
         cmocka_unit_test(a_trace_tells_what_moved),
         cmocka_unit_test(traces_that_cannot_be),

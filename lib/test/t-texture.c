@@ -22,7 +22,7 @@ static void colours(void **unused) {
                  {"#", false, 0},
                  {"blackish", false, 0},
                  {"123456789", false, 0}};
-    uint32_t colour, pair[2];
+    uint32_t colour, pair[2], list[3];
     double rgba[4];
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         assert_int_equal(colour_read(cases[i].word, strlen(cases[i].word), &colour), cases[i].ok);
@@ -31,6 +31,11 @@ static void colours(void **unused) {
     assert_true(colour_read_pair("red,#00000001", pair) && pair[0] == 0xff0000ff && pair[1] == 1);
     assert_false(colour_read_pair("red", pair) || colour_read_pair("red,", pair) ||
                  colour_read_pair(",red", pair) || colour_read_pair("red,red,red", pair));
+    assert_int_equal(colour_read_list("red,none,00000002", 3, list), 3);
+    assert_true(list[0] == 0xff0000ff && list[1] == 0 && list[2] == 2);
+    assert_int_equal(colour_read_list("blue", 3, list), 1);
+    assert_true(colour_read_list("", 3, list) == 0 && colour_read_list("red,,red", 3, list) == 0 &&
+                colour_read_list("red,red,red,red", 3, list) == 0);
     texture_colour(0xff003380, rgba);
     assert_true(rgba[0] == 1 && rgba[1] == 0 && rgba[2] == 0.2 && rgba[3] == 128 / 255.0);
     (void)unused;

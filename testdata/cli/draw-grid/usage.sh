@@ -1,5 +1,6 @@
 for words in '--layers net,foo' '--layers' '--layers sets' '--edit e.edits' '--edit e.edits:0' '--side up' \
-    '--width 10' '--to gif' '-o a.gif' '--no-grid' '--frame 0,0,1,1' '--no-grid --lines l.lines a.grid' 'a.grid b.grid'; do
+    '--width 10' '--to gif' '-o a.gif' '--no-grid' '--frame 0,0,1,1' '--no-grid --lines l.lines a.grid' 'a.grid b.grid' '--dots 3' \
+    '--dots 0' '--squares -1' '--line-width x' '--colors red,' '--colors pink'; do
     draw-grid $words
     echo "status $?"
 done
