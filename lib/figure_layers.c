@@ -4,6 +4,7 @@
 #include "figure_panel.h"
 #include "lettering.h"
 #include "mem.h"
+#include "net.h"
 #include "palette.h"
 
 #include <math.h>
@@ -204,12 +205,8 @@ void figure_net(const struct figure_panel *p) {
         for (int l = 0; l < 3; l++)
             for (int fixed = 0; fixed < d; fixed++)
                 for (int k = 0; k <= d - fixed; k++) {
-                    int w[3];
                     double at[2];
-                    w[l] = fixed;
-                    w[(l + 1) % 3] = d - fixed - k;
-                    w[(l + 2) % 3] = k;
-                    figure_page(p, p->point[grid_point(g, t, w[0], w[1], w[2])], at);
+                    figure_page(p, p->point[net_line_point(g, t, l, fixed, k)], at);
                     (k ? drawing_line : drawing_move)(p->drawing, at[0], at[1]);
                 }
     drawing_paint(p->drawing, &(struct drawing_ink){.stroke = PALETTE_PALE, .width = 0.4});

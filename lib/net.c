@@ -13,3 +13,11 @@ int net_neighbours(const struct grid *g, uint32_t p, uint32_t t, uint32_t neighb
         }
     return n;
 }
+
+uint32_t net_line_point(const struct grid *g, uint32_t t, int l, int fixed, int k) {
+    int w[3];
+    w[l] = fixed;
+    w[(l + 1) % 3] = g->degree - fixed - k;
+    w[(l + 2) % 3] = k;
+    return grid_point(g, t, w[0], w[1], w[2]);
+}

@@ -10,4 +10,8 @@
  * what lies on a shared edge then comes twice. O(1). */
 int net_neighbours(const struct grid *g, uint32_t p, uint32_t t, uint32_t neighbour[6]);
 
+/* Point k = 0..degree-fixed of the straight line of the net of triangle t on which corner l has the
+ * weight `fixed`, 0..degree-1; counter-clockwise in the domain. O(1). */
+uint32_t net_line_point(const struct grid *g, uint32_t t, int l, int fixed, int k);
+
 #endif

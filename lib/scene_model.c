@@ -1,16 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene_model.h"
 
-#include "frame.h"
 #include "mem.h"
-#include "tessellate.h"
-
-#include <string.h>
-
-enum { BOTTOM, TOP };
-static const uint32_t GLASS = 0x6f9fd840, EDGE = 0x27507fff, DOT[2] = {0x7a5195ff, 0xd55e00ff};
-
-/* ---- models ---- */
 
 static void cross(const double a[3], const double b[3], const double c[3], double n[3]) {
     for (int k = 0; k < 3; k++) {
@@ -77,92 +68,5 @@ bool scene_add_model(struct scene *s, const struct model *model, const int axes[
     for (size_t e = 0; ok && e < model->element_count; e++)
         ok = add_element(s, model, e, axes, normal, colour, err);
     free(normal);
-    return ok;
-}
-
-/* ---- prisms ---- */
-
-struct prisms {
-    struct scene *scene;
-    struct tessellation t;
-    struct err *err;
-};
-
-static void sample(const struct prisms *p, int sheet, uint32_t point, double at[3]) {
-    to_frame(p->t.net.axes, p->t.sheet[sheet][point], at);
-}
-
-static bool add_pane(struct prisms *p, const double a[3], const double b[3], const double c[3]) {
-    struct scene_face face = {.colour = GLASS};
-    memcpy(face.corner[0], a, sizeof face.corner[0]);
-    memcpy(face.corner[1], b, sizeof face.corner[1]);
-    memcpy(face.corner[2], c, sizeof face.corner[2]);
-    return scene_add_face(p->scene, &face, p->err);
-}
-
-static bool add_edge(struct prisms *p, const double a[3], const double b[3], double width) {
-    struct scene_line line = {.width = width, .colour = EDGE};
-    memcpy(line.end[0], a, sizeof line.end[0]);
-    memcpy(line.end[1], b, sizeof line.end[1]);
-    return scene_add_line(p->scene, &line, p->err);
-}
-
-static bool add_surface(struct prisms *p, int sheet, uint32_t triangle) {
-    for (int row = 0; row < p->t.net.degree; row++)
-        for (int place = 0; place <= 2 * row; place++) {
-            uint32_t v[3];
-            double at[3][3];
-            tessellation_face(&p->t, triangle, row, place, v);
-            for (int l = 0; l < 3; l++) sample(p, sheet, v[l], at[l]);
-            if (!add_pane(p, at[0], at[1], at[2])) return false;
-        }
-    return true;
-}
-
-/* The edge opposite corner l: on each sheet; at the boundary also the wall between them. */
-static bool add_side(struct prisms *p, uint32_t triangle, int l) {
-    const bool boundary = !grid_edge_is_inner(&p->t.net, p->t.net.triangle_edge[triangle][l]);
-    const double width = boundary ? 1.4 : 0.7;
-    for (int step = 0; step < p->t.net.degree; step++) {
-        uint32_t end[2];
-        double at[2][2][3];
-        tessellation_step(&p->t, triangle, l, step, end);
-        for (int sheet = 0; sheet < p->t.sheets; sheet++) {
-            for (int i = 0; i < 2; i++) sample(p, sheet, end[i], at[sheet][i]);
-            if (!add_edge(p, at[sheet][0], at[sheet][1], width)) return false;
-        }
-        if (p->t.sheets < 2 || !boundary) continue;
-        if (!add_pane(p, at[BOTTOM][0], at[BOTTOM][1], at[TOP][1]) ||
-            !add_pane(p, at[BOTTOM][0], at[TOP][1], at[TOP][0]))
-            return false;
-        if (step == 0 && !add_edge(p, at[BOTTOM][0], at[TOP][0], width)) return false;
-    }
-    return true;
-}
-
-static bool add_dots(struct prisms *p, const struct spline *s) {
-    for (uint32_t i = 0; i < s->grid.point_count; i++)
-        for (int sheet = 0; sheet < p->t.sheets; sheet++) {
-            struct scene_line dot = {.width = 1.6, .colour = DOT[s->sigma ? sheet : TOP]};
-            for (int l = 0; l < 2; l++) {
-                memcpy(dot.end[l], s->phi[i], sizeof s->phi[i]);
-                if (s->sigma) dot.end[l][2] = s->sigma[i][sheet];
-            }
-            if (!scene_add_line(p->scene, &dot, p->err)) return false;
-        }
-    return true;
-}
-
-bool scene_add_prisms(struct scene *s, const struct spline *spline, int steps, struct err *err) {
-    struct prisms p = {.scene = s, .err = err};
-    bool ok;
-    if (!tessellate(&p.t, spline, steps, err)) return false;
-    ok = add_dots(&p, spline);
-    for (uint32_t t = 0; ok && t < p.t.net.triangle_count; t++) {
-        for (int sheet = 0; ok && sheet < p.t.sheets; sheet++) ok = add_surface(&p, sheet, t);
-        for (int l = 0; ok && l < 3; l++) /* each inner edge once, from its lower triangle */
-            if (p.t.net.edge_triangle[p.t.net.triangle_edge[t][l]][0] == t) ok = add_side(&p, t, l);
-    }
-    tessellation_free(&p.t);
     return ok;
 }

@@ -8,20 +8,35 @@
 #include "palette.h"
 #include "picture_options.h"
 #include "scene_model.h"
+#include "scene_prisms.h"
 #include "scene_render.h"
 
 #include <string.h>
 
-enum { KEY_VIEW = 256, KEY_SHADE, KEY_GRID, KEY_COMPARE, KEY_PLANE };
+enum {
+    KEY_VIEW = 256,
+    KEY_SHADE,
+    KEY_GRID,
+    KEY_LAYERS,
+    KEY_CONTROLS,
+    KEY_NO_MODEL,
+    KEY_COMPARE,
+    KEY_PLANE
+};
 enum { SHADE_SMOOTH, SHADE_FLAT };
 static const uint32_t OWN = 0xd8b48cff, OTHER = 0x4f9f6f70;
 static const char *const shade_names[] = {"smooth", "flat", NULL};
+static const char *const controls_names[] = {"bottom", "top", "both", NULL}; /* bits, less 1 */
 
 static const struct cli_option options[] = {
     {KEY_VIEW, "view", "WHICH",
      "top, oblique (default), or azimuth and elevation AZ,EL in degrees"},
     {KEY_SHADE, "shade", "HOW", "smooth (default) or flat"},
     {KEY_GRID, "grid", "GRID", "with the prisms of this grid, as glass"},
+    {KEY_LAYERS, "layers", "LIST", "of them: of glass,triangles,points (default), net,quads"},
+    {KEY_CONTROLS, "controls", "WHICH",
+     "points, net and quads of the bottom, top or both (default)"},
+    {KEY_NO_MODEL, "no-model", NULL, "draw the grid alone"},
     {KEY_COMPARE, "compare", "MODEL2", "with another model, as glass"},
     {KEY_PLANE, "plane", "AXES", "the model axes that are x and y (default: the grid's, or xy)"},
     PICTURE_OPTIONS,
@@ -42,7 +57,8 @@ struct settings {
     double azimuth, elevation;
     int shade;
     const char *grid, *compare, *model;
-    bool has_plane;
+    bool has_plane, no_model;
+    struct scene_prisms_options prisms; /* layers 0: the usual */
     int axes[3];
     struct picture_options picture;
 };
@@ -72,6 +88,17 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
     case KEY_GRID:
         set->grid = cli->value;
         return true;
+    case KEY_LAYERS:
+        return cli_names(cli, scene_prisms_layer_names, &set->prisms.layers, err);
+    case KEY_CONTROLS: {
+        int which = 0;
+        if (!cli_choice(cli, controls_names, &which, err)) return false;
+        set->prisms.sheets = (unsigned)which + 1;
+        return true;
+    }
+    case KEY_NO_MODEL:
+        set->no_model = true;
+        return true;
     case KEY_COMPARE:
         set->compare = cli->value;
         return true;
@@ -85,9 +112,16 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
     int key, standard;
     while ((key = cli_next(cli, err)) >= 0)
         if (!set_option(set, cli, key, err)) return false;
-    if (key != CLI_END || !cli_check_operands(cli, 0, 1, err)) return false;
-    set->model = cli_operand(cli, 0);
-    standard = (strcmp(set->model, "-") == 0) + (set->grid && strcmp(set->grid, "-") == 0) +
+    if (key != CLI_END || !cli_check_operands(cli, 0, set->no_model ? 0 : 1, err)) return false;
+    if (!set->grid && (set->prisms.layers || set->prisms.sheets || set->no_model))
+        return err_set(err, ERR_USAGE, "--%s without --grid; try %s --help",
+                       set->no_model        ? "no-model"
+                       : set->prisms.layers ? "layers"
+                                            : "controls",
+                       program.name);
+    if (!set->no_model) set->model = cli_operand(cli, 0);
+    standard = (set->model && strcmp(set->model, "-") == 0) +
+               (set->grid && strcmp(set->grid, "-") == 0) +
                (set->compare && strcmp(set->compare, "-") == 0);
     if (standard > 1)
         return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", program.name);
@@ -104,7 +138,8 @@ static bool add_grid(struct scene *scene, struct settings *set, struct err *err)
         ok = err_set(err, ERR_INPUT, "the plane of the grid is %c%c, not %c%c", "xyz"[axes[0]],
                      "xyz"[axes[1]], "xyz"[set->axes[0]], "xyz"[set->axes[1]]);
     memcpy(set->axes, axes, sizeof set->axes);
-    ok = ok && scene_add_prisms(scene, &file.spline, 6, err);
+    set->prisms.steps = file.spline.grid.triangle_count <= 100 ? 24 : 6; /* few are large */
+    ok = ok && scene_add_prisms(scene, &file.spline, &set->prisms, err);
     grid_file_free(&file);
     return ok;
 }
@@ -138,8 +173,11 @@ static bool render(const struct scene *scene, const struct settings *set, struct
 
 static void run(struct settings *set, struct err *err) {
     struct scene scene = {0};
+    if (!set->prisms.layers)
+        set->prisms.layers = 1u << PRISMS_GLASS | 1u << PRISMS_TRIANGLES | 1u << PRISMS_POINTS;
+    if (!set->prisms.sheets) set->prisms.sheets = 3;
     if ((!set->grid || add_grid(&scene, set, err)) &&
-        add_model(&scene, set, set->model, OWN, err) &&
+        (!set->model || add_model(&scene, set, set->model, OWN, err)) &&
         (!set->compare || add_model(&scene, set, set->compare, OTHER, err)))
         (void)render(&scene, set, err);
     scene_free(&scene);

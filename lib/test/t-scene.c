@@ -2,6 +2,7 @@
 /* Oracles: colours and places that follow from the geometry by hand; which of two faces is nearer;
  * the sizes of things counted in pixels. */
 #include "scene_model.h"
+#include "scene_prisms.h"
 #include "scene_render.h"
 
 #include "testing.h"
@@ -196,37 +197,88 @@ static void models_become_faces(void **unused) {
     scene_free(&s);
 }
 
-/* Edges, walls and dots of two prisms and of two flat triangles. */
-static void prisms_have_walls(void **unused) {
+/* What two triangles with one inner edge have of each layer, on every sheet: 9 faces a triangle; 5
+ * edges of 3 steps; 36 control points; 15 edges of the net in each of three directions; 5
+ * conditions of two faces. Between two sheets: 4 walls of 3 steps of two faces, 4 uprights. */
+static void layers_of_prisms_add_up(void **unused) {
+    static const size_t faces[] = {18, 0, 0, 0, 10}, lines[] = {0, 15, 36, 90, 0};
     (void)unused;
-    for (int depth = 0; depth < 2; depth++) {
-        struct recipe recipe = {.nx = 1, .ny = 1, .spacing = 2};
-        const int steps = 3;
-        struct grid g;
-        struct spline spline;
-        struct scene s = {0};
-        struct err err;
-        triangulate(&g, &recipe, 5, 0);
-        g.has_depth = depth;
-        g.depth[0] = -1;
-        g.depth[1] = 1;
-        assert_true(grid_build(&g, &err) && spline_identity(&spline, &g, &err));
-        assert_true(scene_add_prisms(&s, &spline, steps, &err));
-        /* 2 triangles of 9 faces on each sheet; 4 boundary edges of 3 steps, 2 panes each */
-        assert_int_equal(s.face_count, depth ? 2 * 2 * 9 + 4 * 3 * 2 : 2 * 9);
-        /* dots; 5 edges of 3 steps on each sheet; 4 uprights */
-        assert_int_equal(s.line_count, depth ? 2 * 36 + 2 * 5 * 3 + 4 : 36 + 5 * 3);
-        scene_free(&s);
-        spline_free(&spline);
-    }
+    for (unsigned choice = 0; choice < 128; choice++)
+        for (int depth = 0; depth < 2; depth++) {
+            const unsigned layers = choice % 32, which = choice / 32;
+            const struct scene_prisms_options options = {layers, which, 3};
+            struct recipe recipe = {.nx = 1, .ny = 1, .spacing = 2};
+            size_t face_count = 0, line_count = 0;
+            struct grid g;
+            struct spline spline;
+            struct scene s = {0};
+            struct err err;
+            triangulate(&g, &recipe, 5, 0);
+            g.has_depth = depth;
+            g.depth[0] = -1;
+            g.depth[1] = 1;
+            assert_true(grid_build(&g, &err) && spline_identity(&spline, &g, &err));
+            assert_true(scene_add_prisms(&s, &spline, &options, &err));
+            for (unsigned i = 0; i < 5; i++) {
+                size_t shown = !depth ? 1 : i < PRISMS_POINTS ? 2 : which % 2 + which / 2;
+                face_count += layers >> i & 1 ? shown * faces[i] : 0;
+                line_count += layers >> i & 1 ? shown * lines[i] : 0;
+            }
+            if (depth && layers >> PRISMS_GLASS & 1) face_count += 24;
+            if (depth && layers >> PRISMS_TRIANGLES & 1) line_count += 4;
+            assert_int_equal(s.face_count, face_count);
+            assert_int_equal(s.line_count, line_count);
+            scene_free(&s);
+            spline_free(&spline);
+        }
+}
+
+/* The net of the top of one triangle of degree 2 with coefficient 9 in the middle of an edge: a dot
+ * there, four lines to it from points at height 1. */
+static void nets_stand_at_their_coefficients(void **unused) {
+    const struct scene_prisms_options options = {1u << PRISMS_NET | 1u << PRISMS_POINTS, 3, 1};
+    struct recipe recipe = {.nx = 1, .ny = 1, .spacing = 2};
+    size_t dots = 0, ends = 0;
+    struct grid g;
+    struct spline spline;
+    struct scene s = {0};
+    struct err err;
+    (void)unused;
+    triangulate(&g, &recipe, 2, 0);
+    g.has_depth = true;
+    g.depth[0] = -1;
+    g.depth[1] = 1;
+    assert_true(grid_build(&g, &err) && spline_identity(&spline, &g, &err));
+    uint32_t middle = grid_point(&spline.grid, 0, 0, 1, 1);
+    spline.sigma[middle][1] = 9;
+    spline.phi[middle][0] = 0.75;
+    assert_true(scene_add_prisms(&s, &spline, &options, &err));
+    for (size_t i = 0; i < s.line_count; i++)
+        for (int e = 0; e < 2; e++) {
+            const double *end = s.line[i].end[e], *other = s.line[i].end[1 - e];
+            if (end[2] != 9) continue;
+            assert_true(end[0] == 0.75 && end[1] == spline.phi[middle][1]);
+            assert_true(other[2] == 9 || other[2] == 1);
+            dots += other[2] == 9;
+            ends += other[2] == 1;
+        }
+    assert_int_equal(dots, 2);           /* both ends of one line */
+    assert_true(ends == 4 || ends == 8); /* twice if two triangles share the edge */
+    scene_free(&s);
+    spline_free(&spline);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(axes_are_a_right_handed_frame), cmocka_unit_test(the_nearer_is_seen),
-        cmocka_unit_test(faces_are_lit_from_both_sides), cmocka_unit_test(glass_lets_through),
-        cmocka_unit_test(lines_have_their_widths),       cmocka_unit_test(bounds_hold_everything),
-        cmocka_unit_test(models_become_faces),           cmocka_unit_test(prisms_have_walls),
+        cmocka_unit_test(axes_are_a_right_handed_frame),
+        cmocka_unit_test(the_nearer_is_seen),
+        cmocka_unit_test(faces_are_lit_from_both_sides),
+        cmocka_unit_test(glass_lets_through),
+        cmocka_unit_test(lines_have_their_widths),
+        cmocka_unit_test(bounds_hold_everything),
+        cmocka_unit_test(models_become_faces),
+        cmocka_unit_test(layers_of_prisms_add_up),
+        cmocka_unit_test(nets_stand_at_their_coefficients),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
