@@ -129,12 +129,19 @@ static bool assemble(struct work *w, struct laplace_problem *p, struct err *err)
     return ok && done(w, err);
 }
 
+/* Gives back what was freed: each step of a large problem needs that room in another shape. */
+static void trim(const struct work *w) {
+    if (w->n >= DISSECT_FROM) mem_trim();
+}
+
 static bool factor(struct work *w, struct err *err) {
     cholmod_common *c = &w->common;
     w->factor = cholmod_analyze(w->a, c);
-    if (w->n >= DISSECT_FROM) mem_trim();
+    trim(w);
     if (w->factor) cholmod_factorize(w->a, w->factor, c);
     if (!done(w, err)) return false;
+    cholmod_free_work(c);
+    trim(w);
     return w->factor->minor == w->n || err_set(err, ERR_REFUSAL, "precision: a pivot vanished");
 }
 
@@ -233,6 +240,6 @@ bool laplace_solve(struct laplace_problem *problem, double (*u)[2], struct err *
     if (ok && w.n > 0)
         ok = factor(&w, err) && make_room(&w, err) && solve(&w, u, 0, err) && solve(&w, u, 1, err);
     work_free(&w);
-    if (w.n >= DISSECT_FROM) mem_trim();
+    trim(&w);
     return ok;
 }

@@ -3,6 +3,9 @@
 
 #include "list_io.h"
 #include "mem.h"
+#include "num.h"
+
+#include <stdio.h>
 
 enum { COUNT_MAX = INT32_MAX }; /* as in list_io.c */
 
@@ -17,12 +20,27 @@ static bool refuse(struct src *src, const char *at, const char *what) {
     return src_expected(src, what);
 }
 
+/* Any whole number: whether the cage has such a side matters only where t > 0. */
+static bool is_side(const char *word, size_t length, int64_t *k) {
+    const char *next;
+    return num_read_int(word, word + length, k, &next) == NUM_OK && next == word + length &&
+           *k >= 0;
+}
+
+static bool refuse_side(struct src *src, const char *at, const struct cage *cage) {
+    char what[64];
+    snprintf(what, sizeof what, "a side number in 0..%zu or -", cage->count - 1);
+    return refuse(src, at, what);
+}
+
 static bool read_place(struct src *src, const struct cage *cage, struct icc_place *place,
                        double x[3]) {
-    const char *first = src->at, *second, *third;
+    const char *first, *second, *third;
+    size_t length;
     int64_t k;
     if (src_take(src, "-")) return read_outside(src, place, x);
-    if (!src_int(src, "a side number or -", 0, UINT32_MAX, &k)) return false;
+    if (!src_word(src, &first, &length) || !is_side(first, length, &k))
+        return refuse_side(src, first, cage);
     second = src->at;
     if (!src_double(src, "lambda", &place->lambda)) return false;
     third = src->at;
@@ -32,9 +50,7 @@ static bool read_place(struct src *src, const struct cage *cage, struct icc_plac
         *place = (struct icc_place){0, 0, 0};
         return true;
     }
-    if (k >= (int64_t)cage->count)
-        return src_fail(src, first, "expected a side number below %zu, got %lld", cage->count,
-                        (long long)k);
+    if (k >= (int64_t)cage->count) return refuse_side(src, first, cage);
     if (!(place->lambda >= 0 && place->lambda <= 1)) return refuse(src, second, "lambda in 0..1");
     place->side = (uint32_t)k;
     cage_from_given(cage, &place->side, &place->lambda);
