@@ -41,7 +41,7 @@ static void draw_square(const struct figure_panel *p, size_t l) {
                                         {at[0] + r, at[1] + r},
                                         {at[0] - r, at[1] + r}});
     drawing_paint(p->drawing,
-                  &(struct drawing_ink){.fill = colour, .stroke = colour, .width = 0.3});
+                  &(struct drawing_ink){.fill = colour, .stroke = colour, .width = 0.8});
 }
 
 static void draw_line(const struct figure_panel *p, size_t l) {
@@ -68,7 +68,7 @@ static void label_text(const struct polylines *lines, size_t l, char text[LABEL_
 }
 
 static bool is_dark(uint32_t colour) {
-    return 0.3 * (colour >> 24) + 0.6 * (colour >> 16 & 255) + 0.1 * (colour >> 8 & 255) < 110;
+    return 0.3 * (colour >> 24) + 0.6 * (colour >> 16 & 255) + 0.1 * (colour >> 8 & 255) < 135;
 }
 
 /* In the middle of a square, as large as there is room for, or beside the dot. */

@@ -96,18 +96,36 @@ folds() {
         END { printf "of %d triangles %d turned over, %d without area\n", n, over, flat }' "$1"
 }
 
-# checkers FIGURE SOURCE TARGET AREA [OPTION]...: the source with a checkerboard, and its image by the
-# thesis method and by ours: FIGURE-1.png, -2.png, -3.png. Options are for method grid.
+# regular N INNER: a cage of 2 N vertices on the unit circle, every second of which is drawn in to the
+# radius INNER.
+regular() {
+    awk -v n="$1" -v inner="$2" 'BEGIN {
+        for (i = 0; i < 2 * n; i++) {
+            turn = 4 * atan2(1, 1) * (i / n + 0.5)
+            r = i % 2 ? inner : 1
+            printf "%.9g %.9g\n", r * cos(turn), r * sin(turn)
+        }
+    }'
+}
+
+# checkers FIGURE SOURCE TARGET AREA [OPTION]...: the source with a checkerboard (or as $render says), and its
+# image by the thesis method and by ours: FIGURE-1.png, -2.png, -3.png. Options are for method grid. Prints
+# what became of the triangles and of lines.
 checkers() {
     figure=$1 source=$2 target=$3 area=$4
     shift 4
     icc-map --mesh "$area" "$source" "$source" >rest.obj
     icc-map --mesh "$area" "$source" "$target" >ray.obj
     icc-map --method grid --verbose "$@" --model rest.obj "$source" "$target" >grid.obj 2>notes
-    sed -n 's/^icc-map: \([^ ]*\): of \([0-9]* points\), lines merged: \([0-9]*\).*/merged-\1 \3 of \2/p; s/.*: cells of/cells of/p' notes
+    sed -n "s/.*: \(cells of [^,]*, [^,]*\).*/\1/p" notes
+    sed -n 's/.*: of \([0-9]* points\), lines merged: \([0-9]*\).*/\2 of \1/p' notes |
+        awk '{ print NR == 1 ? "merged-source" : "merged-target", $0 }'
     echo "thesis $(folds grid.obj)"
     echo "ours $(folds ray.obj)"
-    render-checker --size 310x310 --squares 20 -o "$figure-1.png" rest.obj
-    render-checker --size 310x310 --squares 20 --mark-folds -o "$figure-2.png" grid.obj
-    render-checker --size 310x310 --squares 20 --mark-folds -o "$figure-3.png" ray.obj
+    n=0
+    for map in rest grid ray; do
+        n=$((n + 1))
+        # shellcheck disable=SC2086 # several options
+        render-checker ${render:---size 310x310 --squares 20} --mark-folds -o "$figure-$n.png" $map.obj
+    done
 }
