@@ -1,6 +1,6 @@
 # title: Limits: lines that merge
-# paper: Chapter 6 ends with limitations that come from piecewise linear interpolation and from the grid (abstract
-#   of the thesis).
+# paper: The thesis concludes with a discussion of limitations that come from piecewise linear interpolation and from
+#   the grid (says its abstract).
 # seen: Lines merge on compression edges, and from the cage no line uphill comes to some triangles of the grid at
 #   all: {unreached} in the bent cage, {part} % of its area. What is left is reached by few points: of {points}
 #   points on a square raster {collapsed} % lie where the map collapses (a triangle of 1e-6 units becomes one

@@ -1,6 +1,6 @@
 # title: Limits: a grid that is too coarse
-# paper: Chapter 6 ends with limitations that come from piecewise linear interpolation and from the grid (abstract
-#   of the thesis).
+# paper: The thesis concludes with a discussion of limitations that come from piecewise linear interpolation and from
+#   the grid (says its abstract).
 # seen: The thesis does not say which grid is fine enough. Here four tests decide whether a grid has the topology of the
 #   cage. This neck of a dumbbell is narrower than a cell: {coarse-1};
 #   {coarse-2}. So the right half has no values, lines from there

@@ -1,6 +1,5 @@
 # title: The configurations at the boundary
-# paper: Figure A.1 enumerates, for the proof that the cousin tree's function has no other critical point, what the
-#   neighbourhood of a vertex at the boundary can be. Its counts were not at hand.
+# paper: Figure A.1 enumerates what the neighbourhood of a vertex at the boundary can be. Its counts were not at hand.
 # seen: Our own enumeration: the depths of the eight neighbours of a vertex v inside, less that of v, where not all
 #   eight are inside (blank: outside). There are {configurations} of them, in {patterns} patterns of inside and
 #   outside; {classes} that no rotation or reflection of the square makes equal are drawn. Around v the higher
