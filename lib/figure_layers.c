@@ -276,12 +276,15 @@ void figure_quads(const struct figure_panel *p) {
 
 static void label(const struct figure_panel *p, const double xy[2], double size, double aside,
                   uint32_t colour, uint32_t number) {
+    const enum lettering_align align = aside > 0 ? LETTERING_LEFT : LETTERING_CENTRE;
     char text[16];
     double at[2];
     figure_page(p, xy, at);
+    at[0] += aside;
+    at[1] += aside > 0 ? -aside : size / 2;
     (void)snprintf(text, sizeof text, "%u", number);
-    lettering(p->drawing, at[0] + aside, at[1] + (aside > 0 ? -aside : size / 2), size,
-              aside > 0 ? LETTERING_LEFT : LETTERING_CENTRE, colour, text);
+    lettering_halo(p->drawing, at[0], at[1], size, align, 0xffffffd0, text);
+    lettering(p->drawing, at[0], at[1], size, align, colour, text);
 }
 
 void figure_labels(const struct figure_panel *p) {

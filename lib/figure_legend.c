@@ -74,11 +74,13 @@ static void quads(struct flow *f, bool edit) {
     drawing_paint(f->d, &ink);
 }
 
-/* A bar of colours with numbers below some places. */
+/* A bar of colours with numbers below some places; its title beside it, or below if there is no
+ * room. */
 static void scale(struct flow *f, const char *title, int n, const uint32_t *colour, int marks,
                   const int *place, const double *value) {
     const double cell = 7, height = 9;
-    double x = reserve(f, n * cell, title);
+    const bool beside = LEFT + n * cell + 6 + lettering_width(title, SIZE) <= f->width - LEFT;
+    double x = reserve(f, n * cell, beside ? title : "");
     for (int i = 0; i < n; i++) {
         drawing_polygon(f->d, 4,
                         (const double[][2]){{x + i * cell, f->y - height / 2},
@@ -95,6 +97,10 @@ static void scale(struct flow *f, const char *title, int n, const uint32_t *colo
                   PALETTE_INK, text);
     }
     f->y += 12;
+    if (beside) return;
+    f->x = LEFT;
+    f->y += LINE;
+    (void)reserve(f, -6, title);
 }
 
 static void growth(struct flow *f) {

@@ -137,13 +137,24 @@ static void put_glyph(struct drawing *d, double x, double y, double unit, const 
     }
 }
 
-void lettering(struct drawing *d, double x, double y, double size, enum lettering_align align,
-               uint32_t colour, const char *text) {
+static void spell(struct drawing *d, double x, double y, double size, enum lettering_align align,
+                  const struct drawing_ink *ink, const char *text) {
     const double unit = size / CAPITAL;
     x -= lettering_width(text, size) * (int)align / 2;
     for (const char *c = text; *c; c++) {
         if (*c != ' ') put_glyph(d, x, y, unit, glyph(*c));
         x += unit * advance(*c);
     }
-    drawing_paint(d, &(struct drawing_ink){.stroke = colour, .width = size / 8});
+    drawing_paint(d, ink);
+}
+
+void lettering(struct drawing *d, double x, double y, double size, enum lettering_align align,
+               uint32_t colour, const char *text) {
+    spell(d, x, y, size, align, &(struct drawing_ink){.stroke = colour, .width = size / 8}, text);
+}
+
+void lettering_halo(struct drawing *d, double x, double y, double size, enum lettering_align align,
+                    uint32_t colour, const char *text) {
+    const struct drawing_ink ink = {.stroke = colour, .width = size * 0.45};
+    spell(d, x, y, size, align, &ink, text);
 }

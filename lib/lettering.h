@@ -13,6 +13,10 @@ enum lettering_align { LETTERING_LEFT, LETTERING_CENTRE, LETTERING_RIGHT };
 void lettering(struct drawing *d, double x, double y, double size, enum lettering_align align,
                uint32_t colour, const char *text);
 
+/* The same strokes, wider: under the text, they keep what is below it away. */
+void lettering_halo(struct drawing *d, double x, double y, double size, enum lettering_align align,
+                    uint32_t colour, const char *text);
+
 double lettering_width(const char *text, double size);
 
 #endif

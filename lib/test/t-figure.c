@@ -74,7 +74,7 @@ static void layers_have_their_shapes(void **unused) {
     assert_int_equal(count_ops(&d, DRAWING_LINE), s.grid.triangle_count * 3 * (5 + 4 + 3 + 2 + 1));
     drawing_free(&d);
     draw(&d, &content, 1u << FIGURE_LABELS, FIGURE_DOMAIN);
-    assert_int_equal(d.shape_count, corners + s.grid.triangle_count);
+    assert_int_equal(d.shape_count, 2 * (corners + s.grid.triangle_count)); /* each with a halo */
     drawing_free(&d);
     spline_free(&s);
 }
@@ -350,6 +350,30 @@ static void the_sets_of_an_edit_are_drawn(void **unused) {
     spline_free(&s);
 }
 
+/* However narrow the page, its scale of colours and the title are on it. */
+static void scales_stay_on_the_page(void **unused) {
+    struct spline s;
+    struct figure_content content = {.spline = &s};
+    (void)unused;
+    set_up(&s);
+    for (int width = 200; width <= 400; width += 20) {
+        const struct figure_options options = {.layers = 1u << FIGURE_JACOBIAN,
+                                               .width = width,
+                                               .legend = true,
+                                               .side = FIGURE_DEFORMED};
+        struct drawing d;
+        struct err err;
+        drawing_init(&d);
+        assert_true(figure_draw(&d, &content, &options, &err));
+        for (size_t i = 0; i < d.point_count; i++) {
+            assert_true(d.point[i][0] >= 0 && d.point[i][0] <= width);
+            assert_true(d.point[i][1] >= 0 && d.point[i][1] <= d.height);
+        }
+        drawing_free(&d);
+    }
+    spline_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(layers_have_their_shapes),
@@ -361,6 +385,7 @@ int main(void) {
         cmocka_unit_test(a_trace_tells_what_moved),
         cmocka_unit_test(traces_that_cannot_be),
         cmocka_unit_test(the_sets_of_an_edit_are_drawn),
+        cmocka_unit_test(scales_stay_on_the_page),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
 # title: A bicubic tensor net, for comparison
 # paper: The Bezier net of a patch that is a tensor product, as free-form deformation uses it.
+# picture: control points and net (orange), lines of constant parameter (blue)
 # seen: 16 control points in 4 rows, and the lines of constant parameter of their patch. Two such patches
 #   are C1 when the points on both sides of the seam lie on lines; nine points must move together where
 #   four patches meet, against the conditions of a triangulation, which fit any domain.

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Intersection over union of a model's silhouette (OBJ, faces, plane zy) and a polygon (x y, y downwards),
-# on a raster of `per` samples a unit.
+# on a raster of `per` samples a unit. Below 0.8 is a failure.
 BEGIN { if (!per) per = 3 }
 FNR == 1 { file++ }
 file == 1 && NF >= 2 { ox[n] = $1 * per; oy[n++] = -$2 * per; next }
@@ -35,5 +35,7 @@ END {
     for (key in model) { split(key, at, SUBSEP); m++; if (inside(at[1] + 0.5, at[2] + 0.5)) both++ }
     for (i = 0; i < n; i++) { k = (i + 1) % n; area += (ox[i] * oy[k] - ox[k] * oy[i]) / 2 }
     if (area < 0) area = -area
-    printf "area of the model %.1f, of the outline %.1f, of both %.1f: overlap %.3f\n", m / per^2, area / per^2, both / per^2, both / (m + area - both)
+    overlap = both / (m + area - both)
+    printf "area of the model %.1f, of the outline %.1f, of both %.1f\noverlap %.3f\n", m / per^2, area / per^2, both / per^2, overlap
+    exit overlap < 0.8
 }

@@ -1,0 +1,24 @@
+# title: The third dimension: raised bottoms and tops
+# paper: What figure 12 shows is not recorded in our notes, and the paper was not at hand. sigma0 and sigma1 are
+#   edited like phi, by heights.
+# picture: a red blood cell in its prisms
+# picture: the top alone raised
+# picture: bottom and top raised together
+# picture: the cell from below
+# picture: with a swollen upper side
+# picture: as a bowl
+# seen: The middle of the cell: raised by 0.9 at the top alone, the upper side swells over the hollow; raised by
+#   0.9 at both, the disc becomes a bowl, and its thickness stays: {thickness} of what it was at the least. The
+#   plane does not move at all: det grad phi is {det}.
+cell=$DATA/models/red_blood_cell.obj
+mkgrid --model "$cell" --cells 6 -o rest.grid
+decles-edit -e 'raise top box:-0.6,-0.6,0.6,0.6 by 0.9 within 1.8' rest.grid -o top.grid
+decles-edit -e 'raise both box:-0.6,-0.6,0.6,0.6 by 0.9 within 1.8' rest.grid -o both.grid
+check-grid both.grid | sed -n 's/^det-lower:/det/p; s/^thickness-lower:/thickness/p'
+n=0
+for name in rest top both; do
+    n=$((n + 1))
+    deform-mesh "$cell" $name.grid -o cell.obj
+    render-model --grid $name.grid --no-model --view -25,15 --size 310x220 -o decles11-12-raise-$n.png
+    render-model --view -25,-28 --size 310x220 -o decles11-12-raise-$((n + 3)).png cell.obj
+done

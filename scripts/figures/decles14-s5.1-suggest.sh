@@ -1,9 +1,0 @@
-# title: From suggested positions to the solution
-# paper: An anchor is moved; each derived point has a suggested position p', the farther from the
-#   anchor the nearer to where it was; the solution p'' is the nearest to all p' that keeps the conditions.
-# seen: Light arrows lead from p to p', dark ones from p' to p''. The dark ones are short: the
-#   suggestions are nearly smooth already, and the solution mends what is not.
-mkgrid --rect 0,0,6,4 --cells 3x2 -o flat.grid
-printf 'edits 1\nmove v^4,2 by 0.8 0.5 reach 6\n' >one.edits
-decles-edit --verbose one.edits flat.grid 2>&1 >/dev/null | grep -o '|A|.*gain.*'
-draw-grid --edit one.edits:2 --side both -o decles14-s5.1-suggest.png flat.grid
