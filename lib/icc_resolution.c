@@ -84,11 +84,11 @@ void icc_resolution(const struct icc_field *f, struct icc_failures failures[ICC_
 void icc_failure_describe(enum icc_test test, const struct icc_failures *failures,
                           char text[ICC_FAILURE_TEXT_MAX]) {
     static const char *const what[ICC_TESTS] = {
-        "%zu grid vertices inside are not connected with the maximum, the first at (%.9g, %.9g)",
-        "%zu grid cells have two opposite corners inside and two outside, the first at (%.9g, "
+        "grid vertices inside not connected with the maximum: %zu, the first at (%.9g, %.9g)",
+        "grid cells with two opposite corners inside and two outside: %zu, the first at (%.9g, "
         "%.9g)",
-        "%zu grid edges between vertices inside cross the cage, the first at (%.9g, %.9g)",
-        "%zu pieces of the cage are too far from grid vertices inside, the first at (%.9g, %.9g) "
+        "grid edges between vertices inside that cross the cage: %zu, the first at (%.9g, %.9g)",
+        "pieces of the cage too far from grid vertices inside: %zu, the first at (%.9g, %.9g) "
         "on side %u",
     };
     snprintf(text, ICC_FAILURE_TEXT_MAX, what[test], failures->count, failures->at[0],

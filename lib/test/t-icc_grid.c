@@ -188,7 +188,7 @@ static void cells_are_halved(void **state) {
     icc_grid_free(&g);
     assert_false(icc_grid_init(&g, &cage, &coarse, &err));
     assert_int_equal(err.kind, ERR_REFUSAL);
-    assert_non_null(strstr(err.message, "are not connected with the maximum, the first at ("));
+    assert_non_null(strstr(err.message, "not connected with the maximum: "));
     icc_grid_free(&g);
     cage_free(&cage);
 }
@@ -291,7 +291,7 @@ static void refusals(void **state) {
     const double thin[4][2] = {{0, 0}, {1, 0.001}, {1, 0.002}, {0, 0.001}};
     (void)state;
     refuse(slit, 7, &(struct icc_grid_rule){.cell = 0.125},
-           "between vertices inside cross the cage");
+           "between vertices inside that cross the cage");
     refuse(spike, 7, &(struct icc_grid_rule){.cell = 0.1}, "too far from grid vertices inside");
     refuse(spike, 7, &(struct icc_grid_rule){0}, "resolution: with cells of");
     refuse(thin, 4, &(struct icc_grid_rule){.cell = 0.1}, "no vertex of a grid with cells of 0.1 ");

@@ -135,12 +135,11 @@ static void words(void **state) {
     char text[ICC_FAILURE_TEXT_MAX];
     (void)state;
     icc_failure_describe(ICC_TEST_DIAGONAL, &failures, text);
-    assert_string_equal(text, "3 grid cells have two opposite corners inside and two outside, the "
-                              "first at (0.5, -2)");
+    assert_string_equal(text, "grid cells with two opposite corners inside and two outside: 3, "
+                              "the first at (0.5, -2)");
     icc_failure_describe(ICC_TEST_BARE, &failures, text);
-    assert_string_equal(text,
-                        "3 pieces of the cage are too far from grid vertices inside, the first "
-                        "at (0.5, -2) on side 7");
+    assert_string_equal(text, "pieces of the cage too far from grid vertices inside: 3, the first "
+                              "at (0.5, -2) on side 7");
 }
 
 static double length(const double a[2], const double b[2]) {
