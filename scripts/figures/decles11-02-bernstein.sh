@@ -1,6 +1,6 @@
 # title: Bernstein polynomials of degree 5 over a triangle
-# paper: What figure 2 shows is not recorded in our notes, and the paper was not at hand. The splines are
-#   written in Bernstein polynomials 5!/(i! j! k!) b0^i b1^j b2^k of the barycentric coordinates.
+# paper: Not known to us. The splines are written in Bernstein polynomials 5!/(i! j! k!) b0^i b1^j b2^k of
+#   the barycentric coordinates.
 # picture: i,j,k = 5,0,0, at a corner
 # picture: 3,2,0, on a side
 # picture: 2,2,1, inside

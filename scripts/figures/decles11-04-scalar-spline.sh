@@ -1,6 +1,6 @@
 # title: A scalar spline over a triangulation
-# paper: What figure 4 shows is not recorded in our notes, and the paper was not at hand. Two scalar splines,
-#   sigma0 and sigma1, are the deformed bottom and top of the prisms.
+# paper: Not known to us. Two scalar splines, sigma0 and sigma1, are the deformed bottom and top of the
+#   prisms.
 # picture: the graph of sigma1, the top of the prisms
 # picture: its Bezier net
 # seen: The top of {triangles} prisms, raised in the middle: {derived} coefficients around the raised one
@@ -9,5 +9,5 @@ mkgrid --rect 0,0,4,4 --cells 4x4 --pattern hex --depth 0,0.3 -o flat.grid
 decles-edit --verbose -e 'raise top v^2,2 by 1.4 reach 5' flat.grid -o graph.grid 2>&1 |
     awk '{ print; for (i = 1; i < NF; i++) if ($i == "|D|") print "derived", $(i + 1) }'
 awk '/^triangles / { print }' flat.grid
-render-model --grid graph.grid --no-model --layers glass,triangles --view -20,25 --size 560x330 -o decles11-04-scalar-spline-1.png
-render-model --grid graph.grid --no-model --layers triangles,net,points --controls top --view -20,25 --size 560x330 -o decles11-04-scalar-spline-2.png
+render-model --grid graph.grid --no-model --layers glass,triangles --view -20,25 --size 480x330 -o decles11-04-scalar-spline-1.png
+render-model --grid graph.grid --no-model --layers triangles,net,points --controls top --view -20,25 --size 480x330 -o decles11-04-scalar-spline-2.png

@@ -1,6 +1,6 @@
 # title: Smooth across a side: four points in a plane
-# paper: What figure 5 shows is not recorded in our notes, and the paper was not at hand. Its theorem 3.1 says
-#   which control points on both sides of an edge must fit for continuous derivatives.
+# paper: Not known to us. The paper's theorem 3.1 says which control points on both sides of an edge must fit for
+#   continuous derivatives.
 # picture: only continuous: the quadrilaterals are bent along the side
 # picture: C1: each of the five lies in a plane
 # seen: Two triangles, the same coefficient raised. Over the side between them lie five quadrilaterals (yellow)

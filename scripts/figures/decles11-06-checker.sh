@@ -1,6 +1,5 @@
 # title: Continuous slopes, seen on a pattern
-# paper: What figure 6 shows is not recorded in our notes, and the paper was not at hand. Its method makes the
-#   deformation C1, since creases would show on the models.
+# paper: Not known to us. The paper's method makes the deformation C1, since creases would show on the models.
 # picture: a pattern through a map that is only continuous
 # picture: through a C1 map, by the same edit
 # seen: A corner in the middle is moved in both. On the left the lines of the pattern bend where they cross

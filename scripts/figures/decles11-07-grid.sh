@@ -1,6 +1,5 @@
 # title: A grid around the projection of a model
-# paper: What figure 7 shows is not recorded in our notes, and the paper was not at hand. By section 4.1 a
-#   regular grid surrounds the model's projection.
+# paper: Not known to us. By section 4.1 a regular grid surrounds the model's projection.
 # picture: 20 cells along the body: {triangles-20} triangles
 # picture: 40 cells: {triangles-40} triangles
 # picture: triangles in rows (--pattern hex): {triangles-hex}

@@ -1,6 +1,5 @@
 # title: The prisms
-# paper: What figure 8 shows is not recorded in our notes, and the paper was not at hand. The control grid is
-#   made of prisms: the triangles, extended in depth from a to b.
+# paper: Not known to us. The control grid is made of prisms: the triangles, extended in depth from a to b.
 # picture: the worm in its prisms, at rest
 # picture: a red blood cell in {cell} prisms
 # seen: Prisms with walls as glass, control points of the bottom (violet) and the top (orange). The worm's
@@ -9,7 +8,7 @@ worm=$DATA/models/virtual_worm_cuticle_red75.obj
 cell=$DATA/models/red_blood_cell.obj
 mkgrid --model "$worm" --plane zy --cells 20 -o worm.grid
 mkgrid --model "$cell" --cells 4 --pattern hex -o cell.grid
-awk '/^depth / { print "depth", $2, "to", $3 } /^triangles / { print "worm", $2 }' worm.grid
+awk '/^depth / { printf "depth %.3f to %.3f\n", $2, $3 } /^triangles / { print "worm", $2 }' worm.grid
 awk '/^triangles / { print "cell", $2 }' cell.grid
 render-model --grid worm.grid --size 640x300 -o decles11-08-prisms-1.png "$worm"
 render-model --grid cell.grid --size 460x340 -o decles11-08-prisms-2.png "$cell"

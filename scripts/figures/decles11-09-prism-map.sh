@@ -1,6 +1,6 @@
 # title: What a deformed prism does to the space in it
-# paper: What figure 9 shows is not recorded in our notes, and the paper was not at hand. Equation (9): a point at
-#   height z between a and b goes to phi(x,y), at the height that divides sigma0 and sigma1 as z divides a and b.
+# paper: Not known to us. Equation (9): a point at height z between a and b goes to phi(x,y), at the height
+#   that divides sigma0 and sigma1 as z divides a and b.
 # picture: two prisms at rest, with lines at five heights
 # picture: deformed by phi, sigma0 and sigma1
 # seen: Lines that were at one height lie on surfaces between the bottom and the top, at equal parts of the

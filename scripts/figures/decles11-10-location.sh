@@ -1,6 +1,6 @@
 # title: Where a vertex lies: triangle, barycentric coordinates, height
-# paper: What figure 10 shows is not recorded in our notes, and the paper was not at hand. By section 4.2 the
-#   vertices of the model are located in the grid once, and moved by every deformation from there.
+# paper: Not known to us. By section 4.2 the vertices of the model are located in the grid once, and moved
+#   by every deformation from there.
 # picture: a vertex of the blood cell in its triangle
 # picture: after an edit; its lines to the corners became curves
 # seen: The vertex {vertex} lies in triangle {triangle}; its coordinates {coordinates} say what part of the

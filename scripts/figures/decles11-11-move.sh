@@ -1,6 +1,5 @@
 # title: One control point moved
-# paper: What figure 11 shows is not recorded in our notes, and the paper was not at hand. The user moves control
-#   points with the mouse.
+# paper: Not known to us. The user moves control points with the mouse.
 # picture: a red blood cell at rest
 # picture: after the edit
 # picture: the control points that moved

@@ -1,12 +1,11 @@
 # title: The third dimension: raised bottoms and tops
-# paper: What figure 12 shows is not recorded in our notes, and the paper was not at hand. sigma0 and sigma1 are
-#   edited like phi, by heights.
-# picture: a red blood cell in its prisms
+# paper: Not known to us. sigma0 and sigma1 are edited like phi, by heights.
+# picture: the prisms at rest
 # picture: the top alone raised
 # picture: bottom and top raised together
-# picture: the cell from below
-# picture: with a swollen upper side
-# picture: as a bowl
+# picture: a red blood cell in them, from below
+# picture: the top raised
+# picture: both raised: a bowl
 # seen: The middle of the cell: raised by 0.9 at the top alone, the upper side swells over the hollow; raised by
 #   0.9 at both, the disc becomes a bowl, and its thickness stays: {thickness} of what it was at the least. The
 #   plane does not move at all: det grad phi is {det}.

@@ -1,10 +1,9 @@
 # title: A hinge
-# paper: What figure 13 shows is not recorded in our notes, and the paper was not at hand. Movement of an organism
-#   is bending of its parts.
+# paper: Not known to us. Movement of an organism is bending of its parts.
 # picture: by 30 degrees
 # picture: by 60 degrees
 # picture: by 90 degrees
-# seen: All that lies on the head's side of the hinge turns as one piece; the points within 1.6 of it make the
+# seen: All that lies on the head's side of the hinge turns as one piece; the points within 1.9 of it make the
 #   bend. On the inner side areas shrink, on the outer they grow; at 90 degrees the least growth is {det-90},
 #   still without folds ({local-90}).
 worm=$DATA/models/virtual_worm_cuticle_red75.obj

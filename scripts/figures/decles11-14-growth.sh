@@ -1,6 +1,5 @@
 # title: Growth
-# paper: What figure 14 shows is not recorded in our notes, and the paper was not at hand. Growth is named among
-#   the uses.
+# paper: Not known to us. Growth is named among the uses.
 # picture: at rest
 # picture: the middle of the body grown by 1.6 along and across, and in depth
 # seen: A part of the worm is scaled about its middle, its neighbourhood softly, and the tops of its prisms
@@ -12,5 +11,5 @@ printf 'edits 1\nscale box:-0.6,-2,0.9,2 about 0.1 -0.05 by 1.6 within 1.6\nrais
 decles-edit grow.edits rest.grid -o grown.grid
 check-grid grown.grid | grep -E '^(local|volume-ratio|one-to-one)'
 deform-mesh "$worm" grown.grid -o grown.obj
-render-model --plane zy --view -25,30 --size 560x220 -o decles11-14-growth-1.png "$worm"
-render-model --plane zy --view -25,30 --size 560x260 -o decles11-14-growth-2.png grown.obj
+render-model --plane zy --view -25,30 --size 480x220 -o decles11-14-growth-1.png "$worm"
+render-model --plane zy --view -25,30 --size 480x260 -o decles11-14-growth-2.png grown.obj

@@ -1,10 +1,9 @@
 # title: A cell that is ill
-# paper: What figure 15 shows is not recorded in our notes, and the paper was not at hand. Pathologies of cells are
-#   named among the uses.
+# paper: Not known to us. Pathologies of cells are named among the uses.
 # picture: a healthy red blood cell
-# picture: bent, drawn out and thinned to a sickle
-# seen: One cell and four statements: both ends are turned upwards and the whole is drawn out along one axis and
-#   thinned along the other. The map is one-to-one ({one-to-one}), so that the membrane cannot meet itself.
+# picture: thinned and bent to a sickle
+# seen: One block and two statements: the whole is thinned to 0.45 across, then both ends are turned upwards, softly.
+#   The map is one-to-one ({one-to-one}), so that the membrane cannot meet itself.
 cell=$DATA/models/red_blood_cell.obj
 mkgrid --model "$cell" --cells 8 --margin 0.1 -o rest.grid
 {

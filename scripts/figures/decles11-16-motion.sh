@@ -1,6 +1,5 @@
 # title: From one posture to another
-# paper: What figure 16 shows is not recorded in our notes, and the paper was not at hand. Animation is named in the
-#   abstract.
+# paper: Not known to us. Animation is named in the abstract.
 # picture: at rest
 # picture: the script with angles half as large
 # picture: the omega turn

@@ -1,6 +1,6 @@
 # title: A deformation of the plane, edited by hand
-# paper: What figure 1 shows is not recorded in our notes, and the report was not at hand. Its subject is
-#   a smooth deformation of the plane that a user edits by moving control points.
+# paper: Not known to us. The report's subject is a smooth deformation of the plane that a user edits by moving
+#   control points.
 # picture: a frame of a video of C. elegans, and a grid over it
 # picture: after one edit: the middle turned by 30 degrees, softly
 # seen: {anchors} control points in a box in the middle (the anchors) turn by 30 degrees, {slaves} points

@@ -1,6 +1,6 @@
 # title: The net closes in on the patch
-# paper: What figure 4 shows is not recorded in our notes, and the report was not at hand. Evaluation by
-#   de Casteljau's scheme, which also splits a patch, belongs to the definition (1), (2).
+# paper: Not known to us. A map given by (1) and (2) can be split by de Casteljau's scheme without a
+#   change.
 # picture: the patch of figure 3 with its net
 # picture: the same map in 4 triangles
 # picture: in 16 triangles

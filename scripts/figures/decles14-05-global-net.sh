@@ -1,6 +1,6 @@
 # title: The global Bezier net
-# paper: What figure 5 shows is not recorded in our notes, and the report was not at hand. The nets of all
-#   triangles together are the global net; distances between control points are counted in its steps.
+# paper: Not known to us. The nets of all triangles together are the global net; distances between control
+#   points are counted in its steps.
 # picture: numbers of vertices and triangles
 # picture: the control points and the net, at rest and deformed
 # seen: {triangles} triangles share {vertices} vertices and {points} control points: what lies on a common

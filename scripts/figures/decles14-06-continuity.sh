@@ -1,6 +1,5 @@
 # title: The same edit without and with continuous slopes
-# paper: What figure 6 shows is not recorded in our notes, and the report was not at hand. Continuity of a
-#   spline across the sides of its triangles is what the report's section 3 is about.
+# paper: Not known to us. The report is about splines that are continuous with their slopes, C1.
 # picture: only continuous (C0)
 # picture: with continuous slopes (C1)
 # seen: The same corner with the same slaves moves in both. Without the conditions the growth of areas (the

@@ -1,8 +1,8 @@
-# title: The quadrilateral conditions of one side
+# title: The quadrilateral conditions of a side, and at a vertex
 # also: decles14-08
-# paper: What figures 7 and 8 show is not recorded in our notes, and the report was not at hand. By (4) and
-#   (6), across each inner side d quadrilaterals of neighbouring control points must be affine images, all
-#   by one map, of the domain's quadrilateral: then the slopes are continuous.
+# paper: Not known to us. By (4) and (6), across each inner side d quadrilaterals of neighbouring control
+#   points must be affine images, all by one map, of the domain's quadrilateral: then the slopes are
+#   continuous.
 # picture: one side: 5 conditions in degree 5
 # picture: all sides at a vertex
 # seen: Before and after an edit the yellow quadrilaterals are images of each other under affine maps, one

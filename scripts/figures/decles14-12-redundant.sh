@@ -1,6 +1,6 @@
 # title: Conditions that follow from others
-# paper: What figure 12 shows is not recorded in our notes, and the report was not at hand. Its section 4.3.2
-#   removes redundant conditions by exact elimination; it counts two at every inner vertex.
+# paper: Not known to us. The report's section 4.3.2 removes redundant conditions by exact elimination; it counts two
+#   at every inner vertex.
 # picture: a vertex of six triangles
 # picture: a vertex of four, whose sides lie on two lines: a singular vertex
 # picture: the same, moved: its sides lie on four lines

@@ -1,6 +1,5 @@
 # title: More postures of the same worm
-# paper: The deformed model of an organism over its image. Which postures the figure has is not recorded in
-#   our notes, and the report was not at hand.
+# paper: The deformed model of an organism over its image. Which postures it has is not known to us.
 # picture: frame 303 of the video
 # picture: overlap {overlap-303}
 # picture: frame 449

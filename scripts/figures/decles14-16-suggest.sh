@@ -1,7 +1,7 @@
 # title: From suggested positions to the solution
-# paper: What figure 16 shows is not recorded in our notes, and the report was not at hand. By section 5.1 each
-#   derived point gets a suggested position p', the farther from the anchor the nearer to where it was; the
-#   solution p'' is the nearest to all p', in least squares, that keeps the conditions (13)-(23).
+# paper: Not known to us. By section 5.1 each derived point gets a suggested position p', the farther from
+#   the anchor the nearer to where it was; the solution p'' is the nearest to all p', in least squares, that
+#   keeps the conditions (13)-(23).
 # seen: Light arrows lead from p to p', dark ones from p' to p''. The dark ones are short: the
 #   suggestions are nearly smooth already, and the solution mends what is not. No point moves farther than
 #   {gain} times the anchor.

@@ -1,6 +1,5 @@
 # title: How far an edit reaches
-# paper: What figure 17 shows is not recorded in our notes, and the report was not at hand. The user chooses
-#   which points may follow an anchor, as slaves.
+# paper: Not known to us. The user chooses which points may follow an anchor, as slaves.
 # picture: reach 0: only what must follow
 # picture: reach 3
 # picture: reach 6

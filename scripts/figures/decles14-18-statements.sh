@@ -1,6 +1,6 @@
 # title: Turning, scaling, pinning: several anchors in one edit
-# paper: What figure 18 shows is not recorded in our notes, and the report was not at hand. Anchors may be
-#   several; section 5.1 suggests positions for rotations and scalings, too.
+# paper: Not known to us. Anchors may be several; section 5.1 suggests positions for rotations and scalings,
+#   too.
 # picture: at rest
 # picture: turned by 40 degrees
 # picture: scaled by 1.8
