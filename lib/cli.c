@@ -193,6 +193,7 @@ bool cli_int(const struct cli *cli, int64_t lo, int64_t hi, int64_t *n, struct e
 
 bool cli_doubles(const struct cli *cli, int n, double *x, struct err *err) {
     if (read_list(cli->value, n, x)) return true;
+    if (n == 1) return cli_bad_value(cli, err, "a number");
     return cli_bad_value(cli, err, "%d numbers separated by commas (%s)", n, cli->option->arg);
 }
 
@@ -257,6 +258,13 @@ bool cli_check_operands(const struct cli *cli, int min, int max, struct err *err
         return err_set(err, ERR_USAGE, "two inputs from stdin; usage: %s %s", cli->program->name,
                        cli->program->synopsis);
     return true;
+}
+
+bool cli_check_stdin(const struct cli *cli, int n, const char *const path[], struct err *err) {
+    int standard = 0;
+    for (int i = 0; i < n; i++) standard += path[i] && strcmp(path[i], "-") == 0;
+    return standard <= 1 ||
+           err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", cli->program->name);
 }
 
 static const char *base_name(const char *path) {

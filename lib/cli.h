@@ -82,6 +82,10 @@ bool cli_bad_value(const struct cli *cli, struct err *err, const char *format, .
  * counts as stdin. */
 bool cli_check_operands(const struct cli *cli, int min, int max, struct err *err) WARN_UNUSED;
 
+/* Of the files that are read, operands and values of options, at most one is "-". NULL: no file. */
+bool cli_check_stdin(const struct cli *cli, int n, const char *const path[],
+                     struct err *err) WARN_UNUSED;
+
 /* Operand i, or "-" when it was left out. */
 const char *cli_operand(const struct cli *cli, int i);
 

@@ -11,7 +11,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-enum { SIDE_MAX = 32767 };
+enum { SIDE_MAX = 32767, PIXELS_MAX = 100000000 };
 static const double points_a_unit = 0.75; /* 72 points and 96 units an inch */
 
 const char *const drawing_format_names[] = {"png", "svg", "pdf", NULL};
@@ -150,6 +150,10 @@ bool drawing_write(struct out *out, const struct drawing *d, enum drawing_format
         return err_set(err, ERR_REFUSAL,
                        "expected a picture of at most %d x %d pixels, got %.0f x %.0f", SIDE_MAX,
                        SIDE_MAX, d->width, d->height);
+    if (format == DRAWING_PNG && ceil(d->width) * ceil(d->height) > PIXELS_MAX)
+        return err_set(err, ERR_REFUSAL,
+                       "%.0f x %.0f pixels are more than %d: a smaller --width, or an SVG or PDF",
+                       d->width, d->height, PIXELS_MAX);
     surface = new_surface(out, d, format);
     cr = cairo_create(surface);
     cairo_set_source_rgb(cr, 1, 1, 1);

@@ -17,7 +17,8 @@ extern const char *const drawing_format_names[];
 bool drawing_format(int choice, const char *path, enum drawing_format *format,
                     struct err *err) WARN_UNUSED;
 
-/* PNG: one pixel a unit; refuses pages of more than 32,767 pixels a side (ERR_REFUSAL). */
+/* PNG: one pixel a unit; refuses pages of more than 32,767 pixels a side, or 10^8 in all
+ * (ERR_REFUSAL). */
 bool drawing_write(struct out *out, const struct drawing *d, enum drawing_format format,
                    struct err *err) WARN_UNUSED;
 

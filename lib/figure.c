@@ -118,6 +118,8 @@ static bool draw_page(struct figure_panel *panel, int n, const struct figure_opt
     double labels = options->layers >> FIGURE_LABELS & 1 ? TITLE / 2 : 0;
     double top = MARGIN + (n > 1 ? TITLE : 0) + labels,
            y = top + arrange(panel, n, options, top) + MARGIN;
+    if (!isfinite(y) || !(panel[0].scale > 0))
+        return err_set(err, ERR_REFUSAL, "what is to be drawn extends beyond the range of numbers");
     write_titles(panel, n);
     for (int i = 0; i < n; i++)
         if (!draw_panel(&panel[i], err)) return false;

@@ -67,7 +67,8 @@ static inline void figure_options_init(struct figure_options *o) {
         .side = FIGURE_DEFORMED, .width = 800, .legend = true, .lines = {.width = 1, .dot = 1.6}};
 }
 
-/* Fills the drawing, which is the caller's to free in any case. Only memory can be short. */
+/* Fills the drawing, which is the caller's to free in any case. ERR_REFUSAL: what it
+ * shows is too large for numbers. */
 bool figure_draw(struct drawing *d, const struct figure_content *content,
                  const struct figure_options *options, struct err *err) WARN_UNUSED;
 

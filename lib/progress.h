@@ -14,4 +14,9 @@ static inline void progress_tell(struct progress *progress, size_t done, size_t 
     if (progress && done % 4096 == 0) progress->show(progress, (double)done / (double)total);
 }
 
+/* The same of few and large steps, of which each is told. */
+static inline void progress_step(struct progress *progress, size_t done, size_t total) {
+    if (progress) progress->show(progress, (double)done / (double)total);
+}
+
 #endif

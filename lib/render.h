@@ -9,6 +9,7 @@
 #ifndef RENDER_H
 #define RENDER_H
 
+#include "progress.h"
 #include "spline.h"
 #include "texture.h"
 #include "textured.h"
@@ -19,6 +20,7 @@ struct render_style {
     bool lines;    /* of the mesh, one pixel wide */
     bool folds;    /* mark where the map turns over */
     double background[4];
+    struct progress *progress; /* or NULL */
 };
 
 /* What a sample sees. */
@@ -52,7 +54,7 @@ bool render_surface(const struct render_style *style, const struct textured *sur
 void render_domain_box(const struct grid *g, double lo[2], double hi[2]);
 
 /* The box of the image of phi, as far as samples tell it: to within a thousandth of how far an edge
- * bends. */
+ * bends. A side that is nothing but rounding, of a map onto a line or point, is 0. */
 bool render_map_box(const struct spline *s, double lo[2], double hi[2],
                     struct err *err) WARN_UNUSED;
 

@@ -172,6 +172,7 @@ static void paint(struct painter *p, const struct image *image) {
         struct sight *before = p->centre[0];
         if (row + 1 < height) look_across(p, 0, width, row + 1.5, 1, p->centre[2]);
         paint_row(p, row, image);
+        progress_step(p->style->progress, row, height);
         p->centre[0] = p->centre[1];
         p->centre[1] = p->centre[2];
         p->centre[2] = before;
@@ -258,6 +259,19 @@ static void extend_by_triangle(struct spline_cursor *c, uint32_t t, double lo[2]
         }
 }
 
+/* What rounding may make of a side of length 0: an ulp or two of the largest coordinate. */
+static void drop_rounding(const struct spline *s, double lo[2], double hi[2]) {
+    for (int k = 0; k < 2; k++) {
+        double largest = 0;
+        for (uint32_t p = 0; p < s->grid.point_count; p++) {
+            double nominal[2];
+            grid_nominal(&s->grid, p, nominal);
+            largest = fmax(largest, fmax(fabs(s->phi[p][k]), fabs(nominal[k])));
+        }
+        if (hi[k] - lo[k] < 0x1p-44 * largest) lo[k] = hi[k] = lo[k] + (hi[k] - lo[k]) / 2;
+    }
+}
+
 /* The image of a map that is one-to-one ends at that of the boundary, of others perhaps inside. */
 bool render_map_box(const struct spline *s, double lo[2], double hi[2], struct err *err) {
     struct spline_cursor c;
@@ -266,5 +280,6 @@ bool render_map_box(const struct spline *s, double lo[2], double hi[2], struct e
     hi[0] = hi[1] = -INFINITY;
     for (uint32_t t = 0; t < s->grid.triangle_count; t++) extend_by_triangle(&c, t, lo, hi);
     spline_cursor_free(&c);
+    drop_rounding(s, lo, hi);
     return true;
 }

@@ -163,6 +163,7 @@ bool render_surface(const struct render_style *style, const struct textured *sur
     while (ok && raster_next_band(&p.raster)) {
         draw_faces(&p);
         paint_band(&p, image);
+        progress_step(style->progress, p.raster.first_row + p.raster.rows, p.raster.height);
     }
     free(p.fold);
     raster_free(&p.raster);

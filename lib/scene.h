@@ -3,7 +3,8 @@
  *
  * Coordinates are those of the grid's frame: x to the right, y up, depth towards the eye that looks
  * down on the plane (frame.h). Triangles are lit from both sides. Glass is lit too, and lets what
- * is behind it through; of several panes only the nearest is seen. Lines and dots have a width on
+ * is behind it through: of panes of the same kind only the nearest is seen, of panes of different
+ * kinds each. Lines and dots have a width on
  * the picture and are hidden by triangles, not by glass. */
 #ifndef SCENE_H
 #define SCENE_H
@@ -12,10 +13,13 @@
 
 #include <stdint.h>
 
+enum scene_pane { SCENE_PRISM, SCENE_MODEL, SCENE_PANES };
+
 struct scene_face {
     double corner[3][3];
-    double normal[3][3]; /* at the corners, of any length; 0: that of the face */
-    uint32_t colour;     /* 0xRRGGBBAA; AA < 255: glass */
+    double normal[3][3];  /* at the corners, of any length; 0: that of the face */
+    uint32_t colour;      /* 0xRRGGBBAA; AA < 255: glass, */
+    enum scene_pane pane; /* of this kind */
 };
 
 struct scene_line { /* a dot where both ends are the same */

@@ -43,7 +43,7 @@ static bool add_element(struct scene *s, const struct model *m, size_t e, const 
                         double (*normal)[3], uint32_t colour, struct err *err) {
     const uint32_t *index = m->index + m->start[e];
     for (size_t i = 0; i < fan_size(m, e); i++) {
-        struct scene_face face = {.colour = colour};
+        struct scene_face face = {.colour = colour, .pane = SCENE_MODEL};
         uint32_t v[3];
         fan_triangle(m, e, i, v);
         for (int l = 0; l < 3; l++) {

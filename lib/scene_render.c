@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Two rasters of the same band: what is solid, with lines drawn as thin quadrilaterals a little
- * nearer than they are, and glass. Every sample is shaded and added to its pixel. */
+/* Rasters of the same band: what is solid, with lines drawn as thin quadrilaterals a little nearer
+ * than they are, and one of each kind of glass. Every sample is shaded and added to its pixel. */
 #include "scene_render.h"
 
 #include "mem.h"
@@ -10,14 +10,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { BAND = 1 << 24, DISC = 12 };
+enum { BAND = 1 << 22, DISC = 12 };
 
 struct renderer {
     const struct scene *scene;
     const struct scene_camera *camera;
     const struct viewport *view;
     const struct scene_style *style;
-    struct raster solid, glass;
+    struct raster solid, glass[SCENE_PANES];
     double (*screen)[3][3]; /* corners of each face: column, row, nearness */
     double disc[DISC + 1][2];
     double light[3], half[3];
@@ -79,10 +79,6 @@ static void project(const struct renderer *r, const double p[3], double screen[3
 
 /* ---- drawing ---- */
 
-static bool is_glass(const struct scene_face *f) {
-    return (f->colour & 255) < 255;
-}
-
 static void draw_triangle(struct raster *r, uint32_t number, double a[3], double b[3],
                           double c[3]) {
     const double corner[3][2] = {{a[0], a[1]}, {b[0], b[1]}, {c[0], c[1]}};
@@ -124,8 +120,9 @@ static void draw_line(struct renderer *r, size_t i) {
 
 static void draw_band(struct renderer *r) {
     for (size_t i = 0; i < r->scene->face_count; i++) {
+        const struct scene_face *f = &r->scene->face[i];
         double(*at)[3] = r->screen[i];
-        draw_triangle(is_glass(&r->scene->face[i]) ? &r->glass : &r->solid, (uint32_t)i, at[0],
+        draw_triangle((f->colour & 255) < 255 ? &r->glass[f->pane] : &r->solid, (uint32_t)i, at[0],
                       at[1], at[2]);
     }
     for (size_t i = 0; i < r->scene->line_count; i++) draw_line(r, i);
@@ -173,10 +170,23 @@ static void flat_colour(uint32_t own, double colour[3]) {
     for (int c = 0; c < 3; c++) colour[c] = own >> (24 - 8 * c) & 255;
 }
 
+/* Puts the pane at a sample, if it is not behind something solid, before what is behind it. */
+static void look_through(const struct renderer *r, const struct raster *glass, size_t at, double x,
+                         double y, double colour[3], double *alpha) {
+    const uint32_t face = glass->face[at];
+    double pane[3], cover;
+    if (face == RASTER_NONE || !(glass->nearness[at] > r->solid.nearness[at])) return;
+    cover = (r->scene->face[face].colour & 255) / 255.0;
+    light_face(r, face, x, y, pane);
+    for (int c = 0; c < 3; c++) colour[c] += cover * (pane[c] - colour[c]);
+    *alpha += cover * (1 - *alpha);
+}
+
 /* Adds one sample: colours times alpha, and alpha. */
 static void shade_sample(const struct renderer *r, size_t at, double x, double y, float sum[4]) {
-    const uint32_t solid = r->solid.face[at], glass = r->glass.face[at];
-    double colour[3], pane[3], alpha = 1;
+    const uint32_t solid = r->solid.face[at];
+    const int nearer = r->glass[1].nearness[at] > r->glass[0].nearness[at];
+    double colour[3], alpha = 1;
     if (solid == RASTER_NONE) {
         flat_colour(r->style->background, colour);
         alpha = (r->style->background & 255) / 255.0;
@@ -185,12 +195,8 @@ static void shade_sample(const struct renderer *r, size_t at, double x, double y
     else
         light_face(r, solid, x, y, colour);
     for (int c = 0; c < 3; c++) colour[c] *= alpha;
-    if (glass != RASTER_NONE && r->glass.nearness[at] > r->solid.nearness[at]) {
-        double cover = (r->scene->face[glass].colour & 255) / 255.0;
-        light_face(r, glass, x, y, pane);
-        for (int c = 0; c < 3; c++) colour[c] += cover * (pane[c] - colour[c]);
-        alpha += cover * (1 - alpha);
-    }
+    look_through(r, &r->glass[!nearer], at, x, y, colour, &alpha);
+    look_through(r, &r->glass[nearer], at, x, y, colour, &alpha);
     for (int c = 0; c < 3; c++) sum[c] += (float)colour[c];
     sum[3] += (float)alpha;
 }
@@ -238,7 +244,9 @@ static bool prepare(struct renderer *r, struct err *err) {
     for (int k = 0; k <= DISC; k++) trig_degrees(k * 360.0 / DISC, &r->disc[k][0], &r->disc[k][1]);
     if (!mem_new(r->sum, (size_t)r->view->width * r->view->height, err) ||
         !mem_new(r->screen, r->scene->face_count, err) ||
-        !raster_init(&r->solid, w, h, n, BAND, err) || !raster_init(&r->glass, w, h, n, BAND, err))
+        !raster_init(&r->solid, w, h, n, BAND, err) ||
+        !raster_init(&r->glass[0], w, h, n, BAND, err) ||
+        !raster_init(&r->glass[1], w, h, n, BAND, err))
         return false;
     for (size_t i = 0; i < r->scene->face_count; i++)
         for (int l = 0; l < 3; l++) project(r, r->scene->face[i].corner[l], r->screen[i][l]);
@@ -251,13 +259,15 @@ bool scene_render(const struct scene *s, const struct scene_camera *camera,
     struct renderer r = {
         .scene = s, .camera = camera, .view = view, .style = style, .image = image};
     bool ok = prepare(&r, err);
-    while (ok && raster_next_band(&r.solid) && raster_next_band(&r.glass)) {
+    while (ok && raster_next_band(&r.solid) && raster_next_band(&r.glass[0]) &&
+           raster_next_band(&r.glass[1])) {
         draw_band(&r);
         shade_band(&r);
+        progress_step(style->progress, r.solid.first_row + r.solid.rows, r.solid.height);
     }
     if (ok) finish(&r);
     raster_free(&r.solid);
-    raster_free(&r.glass);
+    for (int k = 0; k < SCENE_PANES; k++) raster_free(&r.glass[k]);
     free(r.screen);
     free(r.sum);
     return ok;

@@ -10,6 +10,7 @@
 #define SCENE_RENDER_H
 
 #include "image.h"
+#include "progress.h"
 #include "scene.h"
 #include "viewport.h"
 
@@ -23,12 +24,13 @@ bool scene_bounds(const struct scene *s, const struct scene_camera *camera, doub
                   double hi[2], struct err *err) WARN_UNUSED;
 
 struct scene_style {
-    int antialias;       /* N, 1..16 */
-    uint32_t background; /* 0xRRGGBBAA; AA < 255 only with an alpha channel */
+    int antialias;             /* N, 1..16 */
+    uint32_t background;       /* 0xRRGGBBAA; AA < 255 only with an alpha channel */
+    struct progress *progress; /* or NULL */
 };
 
-/* Renders into the image, RGB or RGBA, allocated, of the viewport's size. Memory: 24 bytes a sample
- * of a band of 2^24 samples, 16 a pixel, and the scene again in screen coordinates. O(faces bands +
+/* Renders into the image, RGB or RGBA, allocated, of the viewport's size. Memory: 36 bytes a sample
+ * of a band of 2^22 samples, 16 a pixel, and the scene again in screen coordinates. O(faces bands +
  * samples). */
 bool scene_render(const struct scene *s, const struct scene_camera *camera,
                   const struct viewport *view, const struct scene_style *style, struct image *image,

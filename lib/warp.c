@@ -141,7 +141,7 @@ bool warp(const struct warp *w, struct image *picture, struct err *err) {
                 memcpy(pixel, r.value, bytes);
         }
         if (w->antialias > 1) end_row(&r, pixel);
-        progress_tell(w->progress, row, picture->height);
+        progress_step(w->progress, row, picture->height);
     }
     end(&r);
     return ok;

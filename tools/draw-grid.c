@@ -8,16 +8,25 @@
 #include "figure_model.h"
 #include "figure_options.h"
 #include "grid_io.h"
-#include "image_io.h"
 #include "mem.h"
 #include "num.h"
 #include "obj_io.h"
+#include "picture_options.h"
 #include "polylines_io.h"
 
 #include <stdio.h>
 #include <string.h>
 
-enum { KEY_EDIT = 256, KEY_MODEL, KEY_LINES, KEY_IMAGE, KEY_FRAME, KEY_TO, KEY_NO_GRID };
+enum {
+    KEY_EDIT = 256,
+    KEY_MODEL,
+    KEY_LINES,
+    KEY_IMAGE,
+    KEY_FRAME,
+    KEY_MAX_PIXELS,
+    KEY_TO,
+    KEY_NO_GRID
+};
 
 static const struct cli_option options[] = {
     {KEY_EDIT, "edit", "EDITS:LINE", "carry out EDITS up to this line and show what that does"},
@@ -25,6 +34,7 @@ static const struct cli_option options[] = {
     {KEY_LINES, "lines", "FILE", "with these polylines: x y LABEL, a blank line ends one"},
     {KEY_IMAGE, "image", "FILE", "over this image"},
     {KEY_FRAME, "frame", "X0,Y0,X1,Y1", "where the image lies (default: one unit a pixel, y down)"},
+    {KEY_MAX_PIXELS, "max-pixels", "N", "refuse a larger image (default 100000000)"},
     {KEY_NO_GRID, "no-grid", NULL, "draw the lines or the image alone"},
     FIGURE_OPTIONS,
     {KEY_TO, "to", "FORMAT", "png, svg or pdf (default: by the name of -o, else png)"},
@@ -48,10 +58,10 @@ struct settings {
     int to, digits;
     const char *edit, *model, *lines, *image, *output, *grid;
     double frame[4];
-    bool has_frame;
+    int64_t max_pixels;
+    bool has_frame, no_grid, styled;
     char *edits; /* the file of --edit */
     size_t line;
-    bool no_grid, styled;
     enum drawing_format format;
 };
 
@@ -86,7 +96,9 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
         return true;
     case KEY_FRAME:
         set->has_frame = true;
-        return cli_doubles(cli, 4, set->frame, err);
+        return picture_frame(cli, set->frame, err);
+    case KEY_MAX_PIXELS:
+        return cli_int(cli, 1, INT64_MAX, &set->max_pixels, err);
     case KEY_NO_GRID:
         set->no_grid = true;
         return true;
@@ -105,6 +117,7 @@ static unsigned usual_layers(const struct settings *set) {
 }
 
 static bool check(const struct cli *cli, struct settings *set, struct err *err) {
+    const char *files[] = {NULL, set->edits, set->model, set->lines, set->image};
     if (set->figure.layers == 0) set->figure.layers = usual_layers(set);
     if ((set->figure.layers >> FIGURE_SETS & 1) && !set->edit)
         return err_set(err, ERR_USAGE,
@@ -122,7 +135,9 @@ static bool check(const struct cli *cli, struct settings *set, struct err *err) 
         return err_set(err, ERR_USAGE,
                        "--no-grid goes without --edit, --model and GRID; try draw-grid --help");
     set->grid = cli_operand(cli, 0);
-    return drawing_format(set->to, set->output, &set->format, err);
+    if (!set->no_grid) files[0] = set->grid;
+    return cli_check_stdin(cli, 5, files, err) &&
+           drawing_format(set->to, set->output, &set->format, err);
 }
 
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
@@ -154,10 +169,10 @@ static bool carry_out(struct job *job, const struct settings *set, struct err *e
 
 static bool read_image(struct job *job, const struct settings *set, struct err *err) {
     const struct image_request request = {
-        .path = set->image, .page = 1, .max_pixels = IMAGE_PIXELS_DEFAULT};
+        .path = set->image, .page = 1, .max_pixels = set->max_pixels};
     struct image image;
-    bool ok = image_read(&image, &request, err);
-    if (!ok) return false;
+    bool ok;
+    if (!image_read(&image, &request, err)) return false;
     ok = figure_image(&job->image, &image, set->has_frame ? set->frame : NULL, err);
     image_free(&image);
     return ok;
@@ -210,7 +225,7 @@ static void run(const struct settings *set, struct err *err) {
 int main(int argc, char **argv) {
     struct err err = {0};
     struct cli cli;
-    struct settings set = {.to = DRAWING_BY_NAME};
+    struct settings set = {.to = DRAWING_BY_NAME, .max_pixels = IMAGE_PIXELS_DEFAULT};
     figure_options_init(&set.figure);
     cli_init(&cli, &program, argc, argv);
     if (parse(&cli, &set, &err)) run(&set, &err);

@@ -18,7 +18,6 @@ enum {
     KEY_COLORS,
     KEY_TEXTURE,
     KEY_FRAME,
-    KEY_MAX_PIXELS,
     KEY_LINES,
     KEY_FOLDS,
     KEY_PLANE,
@@ -30,7 +29,6 @@ static const struct cli_option options[] = {
     {KEY_COLORS, "colors", "A,B", "of the squares (default 2f5d8a,f2e9d8)"},
     {KEY_TEXTURE, "texture", "IMAGE", "an image instead of squares"},
     {KEY_FRAME, "frame", "X0,Y0,X1,Y1", "where it lies in the pattern (default: one unit a pixel)"},
-    {KEY_MAX_PIXELS, "max-pixels", "N", "refuse a larger IMAGE (default 100000000)"},
     {KEY_LINES, "mesh-lines", NULL, "draw the edges of the triangles"},
     {KEY_FOLDS, "mark-folds", NULL, "mark where the map turns over"},
     {KEY_PLANE, "plane", "AXES", "of an OBJ: what points right and up (default xy)"},
@@ -50,10 +48,10 @@ static const struct cli_program program = {
 };
 
 struct settings {
-    int64_t squares, max_pixels;
+    int64_t squares;
     double square; /* 0: by `squares` */
     uint32_t colour[2];
-    const char *texture, *input;
+    const char *texture;
     bool has_frame, has_squares, lines, folds;
     double frame[4];
     int axes[3];
@@ -76,8 +74,6 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
     case KEY_FRAME:
         set->has_frame = true;
         return picture_frame(cli, set->frame, err);
-    case KEY_MAX_PIXELS:
-        return cli_int(cli, 1, INT64_MAX, &set->max_pixels, err);
     case KEY_LINES:
         return set->lines = true;
     case KEY_FOLDS:
@@ -91,7 +87,7 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
 
 /* What no single option can know. */
 static bool check(const struct cli *cli, struct settings *set, struct err *err) {
-    set->input = cli_operand(cli, 0);
+    const char *files[2];
     if (set->texture && (set->has_squares || set->square > 0))
         return err_set(err, ERR_USAGE, "--texture goes without squares; try %s --help",
                        program.name);
@@ -101,7 +97,10 @@ static bool check(const struct cli *cli, struct settings *set, struct err *err) 
     if (set->has_frame && !set->texture)
         return err_set(err, ERR_USAGE, "--frame needs --texture IMAGE; try %s --help",
                        program.name);
-    return picture_options_end(&set->picture, cli, err);
+    if (!picture_options_end(&set->picture, cli, 1, err)) return false;
+    files[0] = set->picture.frames ? set->picture.frames : set->picture.input;
+    files[1] = set->texture;
+    return cli_check_stdin(cli, 2, files, err);
 }
 
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
@@ -109,23 +108,36 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
     picture_options_init(&set->picture);
     while ((key = cli_next(cli, err)) >= 0)
         if (!set_option(set, cli, key, err)) return false;
-    return key == CLI_END && cli_check_operands(cli, 0, 1, err) && check(cli, set, err);
+    return key == CLI_END && check(cli, set, err);
 }
 
-/* What a run holds. */
+/* What a run holds; from `format` on, of one picture. */
 struct job {
-    struct filemap file;
-    struct textured surface;
-    struct grid_file grid;
-    struct image texture, picture;
-    struct viewport view;
+    const struct settings *set;
+    struct cli_progress progress;
     struct render_style style;
+    struct image texture;
+    enum image_format format;
+    struct image picture;
+    struct viewport view;
 };
 
-static bool read_texture(struct job *job, const struct settings *set, struct err *err) {
+/* What all pictures share. */
+static bool begin(struct job *job, const struct cli *cli, struct err *err) {
+    const struct settings *set = job->set;
     const struct image_request request = {
-        .path = set->texture, .page = 1, .max_pixels = set->max_pixels};
-    struct texture *t = &job->style.texture;
+        .path = set->texture, .page = 1, .max_pixels = set->picture.max_pixels};
+    struct render_style *style = &job->style;
+    struct texture *t = &style->texture;
+    *style = (struct render_style){
+        .antialias = (int)set->picture.antialias,
+        .lines = set->lines,
+        .folds = set->folds,
+        .progress = cli_progress_begin(&job->progress, cli, set->picture.progress)};
+    texture_colour(set->picture.background, style->background);
+    for (int i = 0; i < 2; i++) texture_colour(set->colour[i], t->colour[i]);
+    t->square = set->square;
+    if (!set->texture) return true;
     if (!image_read(&job->texture, &request, err)) return false;
     t->image = &job->texture;
     t->view = viewport_of_frame(job->texture.width, job->texture.height,
@@ -134,62 +146,64 @@ static bool read_texture(struct job *job, const struct settings *set, struct err
 }
 
 /* The pattern, which fills this box. */
-static bool prepare(struct job *job, const struct settings *set, const double lo[2],
-                    const double hi[2], struct err *err) {
-    struct render_style *style = &job->style;
-    *style = (struct render_style){
-        .antialias = (int)set->picture.antialias, .lines = set->lines, .folds = set->folds};
-    texture_colour(set->picture.background, style->background);
-    for (int i = 0; i < 2; i++) texture_colour(set->colour[i], style->texture.colour[i]);
-    if (set->texture) return read_texture(job, set, err);
-    if (set->square > 0)
-        style->texture.square = set->square;
-    else
-        texture_squares(&style->texture, lo, hi, (double)set->squares);
-    return true;
+static void fill(struct job *job, const double lo[2], const double hi[2]) {
+    if (!job->set->texture && !(job->set->square > 0))
+        texture_squares(&job->style.texture, lo, hi, (double)job->set->squares);
 }
 
-static bool render_obj(struct job *job, const struct settings *set, struct err *err) {
+static bool render_obj(struct job *job, const struct filemap *f, struct err *err) {
+    const struct settings *set = job->set;
+    struct textured surface;
     double lo[2], hi[2];
-    if (!textured_read(&job->surface, &job->file, err)) return false;
-    textured_pattern_box(&job->surface, lo, hi);
-    if (!prepare(job, set, lo, hi, err)) return false;
-    textured_box(&job->surface, set->axes, lo, hi);
-    return picture_begin(&set->picture, lo, hi, &job->view, &job->picture, err) &&
-           render_surface(&job->style, &job->surface, set->axes, &job->view, &job->picture, err);
+    bool ok = textured_read(&surface, f, err);
+    if (!ok) return false;
+    textured_pattern_box(&surface, lo, hi);
+    fill(job, lo, hi);
+    textured_box(&surface, set->axes, lo, hi);
+    ok = picture_begin(&set->picture, job->format, lo, hi, &job->view, &job->picture, err) &&
+         render_surface(&job->style, &surface, set->axes, &job->view, &job->picture, err);
+    textured_free(&surface);
+    return ok;
 }
 
-static bool render_grid(struct job *job, const struct settings *set, struct err *err) {
-    const struct filemap *f = &job->file;
+static bool render_grid(struct job *job, const struct filemap *f, struct err *err) {
+    struct grid_file grid = {.history = NULL};
     double lo[2], hi[2];
-    if (!grid_read_text(&job->grid, f->name, f->data, f->length, err)) return false;
-    render_domain_box(&job->grid.spline.grid, lo, hi);
-    return prepare(job, set, lo, hi, err) && render_map_box(&job->grid.spline, lo, hi, err) &&
-           picture_begin(&set->picture, lo, hi, &job->view, &job->picture, err) &&
-           render_map(&job->style, &job->grid.spline, &job->view, &job->picture, err);
+    bool ok = grid_read_text(&grid, f->name, f->data, f->length, err);
+    if (!ok) return false;
+    render_domain_box(&grid.spline.grid, lo, hi);
+    fill(job, lo, hi);
+    ok = render_map_box(&grid.spline, lo, hi, err) &&
+         picture_begin(&job->set->picture, job->format, lo, hi, &job->view, &job->picture, err) &&
+         render_map(&job->style, &grid.spline, &job->view, &job->picture, err);
+    grid_file_free(&grid);
+    return ok;
 }
 
-static void run(const struct settings *set, struct err *err) {
-    struct job job = {.file = {.name = NULL}};
-    (void)(filemap_open(&job.file, set->input, err) &&
-           (grid_is_text(job.file.data, job.file.length) ? render_grid(&job, set, err)
-                                                         : render_obj(&job, set, err)) &&
-           image_write(&job.picture, set->picture.format, set->picture.output, err));
-    image_free(&job.picture);
-    image_free(&job.texture);
-    textured_free(&job.surface);
-    grid_file_free(&job.grid);
-    filemap_close(&job.file);
+static bool make_picture(void *context, const char *input, const char *output,
+                         enum image_format format, struct err *err) {
+    struct job *job = context;
+    struct filemap file;
+    bool ok = filemap_open(&file, input, err);
+    job->format = format;
+    job->picture = (struct image){0};
+    ok = ok && (grid_is_text(file.data, file.length) ? render_grid(job, &file, err)
+                                                     : render_obj(job, &file, err));
+    cli_progress_end(&job->progress);
+    ok = ok && image_write(&job->picture, format, output, err);
+    image_free(&job->picture);
+    filemap_close(&file);
+    return ok;
 }
 
 int main(int argc, char **argv) {
     struct err err = {0};
     struct cli cli;
-    struct settings set = {.squares = 16,
-                           .max_pixels = IMAGE_PIXELS_DEFAULT,
-                           .colour = {0x2f5d8aff, 0xf2e9d8ff},
-                           .axes = {0, 1, 2}};
+    struct settings set = {.squares = 16, .colour = {0x2f5d8aff, 0xf2e9d8ff}, .axes = {0, 1, 2}};
+    struct job job = {.set = &set};
     cli_init(&cli, &program, argc, argv);
-    if (parse(&cli, &set, &err)) run(&set, &err);
+    (void)(parse(&cli, &set, &err) && begin(&job, &cli, &err) &&
+           picture_make(&set.picture, make_picture, &job, &err));
+    image_free(&job.texture);
     return cli_finish(&cli, &err);
 }

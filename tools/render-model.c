@@ -56,7 +56,7 @@ static const struct cli_program program = {
 struct settings {
     double azimuth, elevation;
     int shade;
-    const char *grid, *compare, *model;
+    const char *grid, *compare;
     bool has_plane, no_model;
     struct scene_prisms_options prisms; /* layers 0: the usual */
     int axes[3];
@@ -109,23 +109,25 @@ static bool set_option(struct settings *set, const struct cli *cli, int key, str
 }
 
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
-    int key, standard;
+    const char *files[] = {NULL, NULL, NULL};
+    int key;
     while ((key = cli_next(cli, err)) >= 0)
         if (!set_option(set, cli, key, err)) return false;
-    if (key != CLI_END || !cli_check_operands(cli, 0, set->no_model ? 0 : 1, err)) return false;
+    if (key != CLI_END || !picture_options_end(&set->picture, cli, set->no_model ? 0 : 1, err))
+        return false;
     if (!set->grid && (set->prisms.layers || set->prisms.sheets || set->no_model))
         return err_set(err, ERR_USAGE, "--%s without --grid; try %s --help",
                        set->no_model        ? "no-model"
                        : set->prisms.layers ? "layers"
                                             : "controls",
                        program.name);
-    if (!set->no_model) set->model = cli_operand(cli, 0);
-    standard = (set->model && strcmp(set->model, "-") == 0) +
-               (set->grid && strcmp(set->grid, "-") == 0) +
-               (set->compare && strcmp(set->compare, "-") == 0);
-    if (standard > 1)
-        return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", program.name);
-    return picture_options_end(&set->picture, cli, err);
+    if (set->no_model && set->picture.frames)
+        return err_set(err, ERR_USAGE, "--frames goes without --no-model; try %s --help",
+                       program.name);
+    files[0] = set->picture.frames ? set->picture.frames : set->picture.input;
+    files[1] = set->grid;
+    files[2] = set->compare;
+    return cli_check_stdin(cli, 3, files, err);
 }
 
 static bool add_grid(struct scene *scene, struct settings *set, struct err *err) {
@@ -154,41 +156,65 @@ static bool add_model(struct scene *scene, const struct settings *set, const cha
     return ok;
 }
 
-static bool render(const struct scene *scene, const struct settings *set, struct err *err) {
-    const struct scene_camera camera = scene_camera(set->azimuth, set->elevation);
-    const struct scene_style style = {.antialias = (int)set->picture.antialias,
-                                      .background = set->picture.background};
+/* What a run holds: first what all pictures share. */
+struct job {
+    const struct settings *set;
+    struct scene scene;
+    struct cli_progress progress;
+    struct progress *shown;
+};
+
+static bool begin(struct job *job, const struct cli *cli, struct settings *set, struct err *err) {
+    if (!set->prisms.layers)
+        set->prisms.layers = 1u << PRISMS_GLASS | 1u << PRISMS_TRIANGLES | 1u << PRISMS_POINTS;
+    if (!set->prisms.sheets) set->prisms.sheets = 3;
+    if ((set->grid && !add_grid(&job->scene, set, err)) ||
+        (set->compare && !add_model(&job->scene, set, set->compare, OTHER, err)))
+        return false;
+    job->shown = cli_progress_begin(&job->progress, cli, set->picture.progress);
+    return true;
+}
+
+static bool render(struct job *job, const char *output, enum image_format format, struct err *err) {
+    const struct picture_options *o = &job->set->picture;
+    const struct scene_camera camera = scene_camera(job->set->azimuth, job->set->elevation);
+    const struct scene_style style = {
+        .antialias = (int)o->antialias, .background = o->background, .progress = job->shown};
     struct viewport view;
     struct image image;
     double lo[2], hi[2];
     bool ok;
-    if (!scene_bounds(scene, &camera, lo, hi, err) ||
-        !picture_begin(&set->picture, lo, hi, &view, &image, err))
+    if (!scene_bounds(&job->scene, &camera, lo, hi, err) ||
+        !picture_begin(o, format, lo, hi, &view, &image, err))
         return false;
-    ok = scene_render(scene, &camera, &view, &style, &image, err) &&
-         image_write(&image, set->picture.format, set->picture.output, err);
+    ok = scene_render(&job->scene, &camera, &view, &style, &image, err);
+    cli_progress_end(&job->progress);
+    ok = ok && image_write(&image, format, output, err);
     image_free(&image);
     return ok;
 }
 
-static void run(struct settings *set, struct err *err) {
-    struct scene scene = {0};
-    if (!set->prisms.layers)
-        set->prisms.layers = 1u << PRISMS_GLASS | 1u << PRISMS_TRIANGLES | 1u << PRISMS_POINTS;
-    if (!set->prisms.sheets) set->prisms.sheets = 3;
-    if ((!set->grid || add_grid(&scene, set, err)) &&
-        (!set->model || add_model(&scene, set, set->model, OWN, err)) &&
-        (!set->compare || add_model(&scene, set, set->compare, OTHER, err)))
-        (void)render(&scene, set, err);
-    scene_free(&scene);
+/* The model, if there is one, joins what is shared, and leaves it again. */
+static bool make_picture(void *context, const char *input, const char *output,
+                         enum image_format format, struct err *err) {
+    struct job *job = context;
+    const size_t faces = job->scene.face_count, lines = job->scene.line_count;
+    bool ok = (!input || add_model(&job->scene, job->set, input, OWN, err)) &&
+              render(job, output, format, err);
+    job->scene.face_count = faces;
+    job->scene.line_count = lines;
+    return ok;
 }
 
 int main(int argc, char **argv) {
     struct err err = {0};
     struct cli cli;
     struct settings set = {.azimuth = -25, .elevation = 40, .axes = {0, 1, 2}};
+    struct job job = {.set = &set};
     picture_options_init(&set.picture);
     cli_init(&cli, &program, argc, argv);
-    if (parse(&cli, &set, &err)) run(&set, &err);
+    (void)(parse(&cli, &set, &err) && begin(&job, &cli, &set, &err) &&
+           picture_make(&set.picture, make_picture, &job, &err));
+    scene_free(&job.scene);
     return cli_finish(&cli, &err);
 }

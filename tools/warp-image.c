@@ -6,6 +6,7 @@
 #include "picture_options.h"
 #include "warp.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,7 +70,11 @@ static bool parse_background(const struct cli *cli, struct settings *set, struct
     for (const char *at = cli->value; (at = strchr(at, ',')); at++) set->background_count++;
     if (set->background_count > IMAGE_CHANNELS_MAX)
         return cli_bad_value(cli, err, "at most %d numbers", IMAGE_CHANNELS_MAX);
-    return cli_doubles(cli, set->background_count, set->background, err);
+    if (!cli_doubles(cli, set->background_count, set->background, err)) return false;
+    for (int k = 0; k < set->background_count; k++)
+        if (fabs(set->background[k]) > FLT_MAX)
+            return cli_bad_value(cli, err, "numbers that are floats");
+    return true;
 }
 
 static bool set_option(struct settings *set, const struct cli *cli, int key, struct err *err) {
@@ -111,9 +116,7 @@ static bool check(const struct cli *cli, struct settings *set, struct err *err) 
     if (set->output || cli->operand_count > 1)
         return err_set(err, ERR_USAGE, "--frames goes without -o and GRID; try %s --help",
                        program.name);
-    if (strcmp(set->frames, "-") == 0 && strcmp(set->image.path, "-") == 0)
-        return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", program.name);
-    return true;
+    return cli_check_stdin(cli, 2, (const char *const[]){set->frames, set->image.path}, err);
 }
 
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
@@ -129,7 +132,6 @@ struct job {
     const struct cli *cli;
     const struct settings *set;
     struct image image;
-    struct frames frames;
     float background[IMAGE_CHANNELS_MAX];
     struct warp warp;
 };
@@ -161,8 +163,9 @@ static bool prepare(struct job *job, struct err *err) {
 }
 
 /* The image through one grid. */
-static bool make_picture(struct job *job, const char *path, const char *output,
+static bool make_picture(void *context, const char *path, const char *output,
                          enum image_format format, struct err *err) {
+    struct job *job = context;
     struct warp *w = &job->warp;
     struct cli_progress progress;
     struct grid_file grid = {.history = NULL};
@@ -181,32 +184,10 @@ static bool make_picture(struct job *job, const char *path, const char *output,
     return ok;
 }
 
-/* The format of a frame's picture; an error is one of the list. */
-static bool frame_format(const struct settings *set, const struct frame *frame,
-                         enum image_format *format, struct err *err) {
-    if (image_output_format(set->to, frame->picture, format, err)) return true;
-    err->kind = ERR_INPUT;
-    return err_place(err, strcmp(set->frames, "-") == 0 ? "<stdin>" : set->frames, frame->line, 0);
-}
-
-static bool make_frames(struct job *job, struct err *err) {
-    const struct settings *set = job->set;
-    const struct frames *f = &job->frames;
-    enum image_format format;
-    if (!frames_read(&job->frames, set->frames, err)) return false;
-    for (size_t i = 0; i < f->count; i++) /* all of them before long work */
-        if (!frame_format(set, &f->frame[i], &format, err)) return false;
-    for (size_t i = 0; i < f->count; i++)
-        if (!frame_format(set, &f->frame[i], &format, err) ||
-            !make_picture(job, f->frame[i].grid, f->frame[i].picture, format, err))
-            return false;
-    return true;
-}
-
 static bool make_pictures(struct job *job, struct err *err) {
     const struct settings *set = job->set;
     if (!image_read(&job->image, &set->image, err) || !prepare(job, err)) return false;
-    return set->frames ? make_frames(job, err)
+    return set->frames ? frames_make(set->frames, set->to, make_picture, job, err)
                        : make_picture(job, cli_operand(job->cli, 1), set->output, set->format, err);
 }
 
@@ -220,7 +201,6 @@ int main(int argc, char **argv) {
     struct job job = {.cli = &cli, .set = &set};
     cli_init(&cli, &program, argc, argv);
     if (parse(&cli, &set, &err)) (void)make_pictures(&job, &err);
-    frames_free(&job.frames);
     image_free(&job.image);
     return cli_finish(&cli, &err);
 }

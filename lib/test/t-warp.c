@@ -281,12 +281,39 @@ static void antialias(void **unused) {
     (void)unused;
 }
 
+struct listener {
+    struct progress progress;
+    int told;
+};
+
+static void listen(struct progress *progress, double fraction) {
+    struct listener *l = (struct listener *)(void *)progress; /* its first member */
+    assert_true(fraction == (double)l->told++ / HEIGHT);
+}
+
+static void each_row_is_told(void **unused) {
+    static const double frame[4] = {0, 0, WIDTH, HEIGHT};
+    struct listener l = {{listen}, 0};
+    struct image image, picture;
+    struct spline s;
+    struct warp w;
+    make_places(&image);
+    make_spline(&s, frame, 1, 1);
+    w = make_warp(&image, &s, frame);
+    w.progress = &l.progress;
+    run(&w, &picture);
+    assert_int_equal(l.told, HEIGHT);
+    image_free(&picture);
+    image_free(&image);
+    spline_free(&s);
+    (void)unused;
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(identity),
-        cmocka_unit_test(quarters_and_shifts),
-        cmocka_unit_test(each_pixel),
-        cmocka_unit_test(antialias),
+        cmocka_unit_test(identity),         cmocka_unit_test(quarters_and_shifts),
+        cmocka_unit_test(each_pixel),       cmocka_unit_test(antialias),
+        cmocka_unit_test(each_row_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,3 +5,7 @@ for line in 1 2 3 9; do
     draw-grid --edit e.edits:$line a.grid
     echo "status $?"
 done
+# Too many pixels, of a picture and of an image.
+for words in '--width 32767 a.grid' "--no-grid --max-pixels 9 --image $DATA/images/worm-254.png"; do
+    draw-grid $words | wc -c
+done

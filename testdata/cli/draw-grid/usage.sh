@@ -4,3 +4,7 @@ for words in '--layers net,foo' '--layers' '--layers sets' '--edit e.edits' '--e
     draw-grid $words
     echo "status $?"
 done
+for words in '--image x.png --frame 0,0,0,1' '--lines - -' '--edit -:2 -' '--max-pixels 0'; do
+    draw-grid $words
+    echo "status $?"
+done

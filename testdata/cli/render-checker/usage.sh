@@ -19,3 +19,6 @@ try --max-pixels 0
 try --to gif
 try -o picture.gif
 try --to jpeg
+try --frames list
+render-checker --frames list -o a.png; echo $?
+render-checker --texture - -; echo $?

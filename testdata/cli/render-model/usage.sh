@@ -5,3 +5,8 @@ for words in '--view up' '--view 1' '--view 10,91' '--shade x' '--plane xx' '--s
     render-model $words
     echo "status $?"
 done
+for words in '--frames list m.obj' '--frames list -o a.png' '--frames - --grid -' '--max-pixels 0' \
+    '--size 10x10 --max-pixels 99 m.obj'; do
+    render-model $words
+    echo "status $?"
+done

@@ -10,6 +10,8 @@ try "$DATA/images/worm.png" --frame 0,0,0,1
 try "$DATA/images/worm.png" --frame 0,0,1e308,-1e308,1
 try "$DATA/images/worm.png" --frame=-1e308,0,1e308,1
 try "$DATA/images/worm.png" --background 1,x
+try "$DATA/images/worm.png" --background 1,1e39
+try "$DATA/images/worm.png" --background x
 try "$DATA/images/worm.png" --page 0
 try "$DATA/images/worm.png" --max-pixels 0
 try "$DATA/images/worm.png" --to jpeg
