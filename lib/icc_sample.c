@@ -15,6 +15,7 @@
 #define SINE2_MIN 0.11697777844051098 /* of 20 degrees, squared */
 
 enum { ROUNDS = 3 };
+#define PATIENCE 10 /* how many times more triangles than they deserve narrow parts may take */
 
 struct sampler {
     const struct icc_sampled *what;
@@ -25,14 +26,15 @@ struct sampler {
     size_t side_count;
 };
 
-static bool refuse(struct sampler *s, enum shim_cgal_status status, double max_area,
+static bool refuse(struct sampler *s, enum shim_cgal_status status, double max_area, size_t most,
                    struct err *err) {
     if (status == SHIM_CGAL_MEMORY) return err_memory(err);
-    s->report->too_many = status == SHIM_CGAL_LIMIT;
-    if (s->report->too_many)
+    s->report->too_many =
+        status == SHIM_CGAL_LIMIT && s->what->source->area > ICC_SAMPLE_MAX / 4 * max_area;
+    if (status == SHIM_CGAL_LIMIT)
         return err_set(err, ERR_REFUSAL,
-                       "an area of %.9g takes more than %d triangles, which is the most", max_area,
-                       ICC_SAMPLE_MAX);
+                       "an area of %.9g takes more than %zu triangles, which is the most", max_area,
+                       most);
     return err_set(err, ERR_REFUSAL,
                    "precision: the cage cannot be triangulated to an area of %.9g", max_area);
 }
@@ -51,10 +53,11 @@ static bool triangulate(struct sampler *s, const double (*point)[2], size_t coun
     bool ok = shim_cgal_domain(&sides, s->mapped == 0 ? &criteria : NULL, &mesh, &report);
     if (!ok && report.status == SHIM_CGAL_LIMIT && limit < ICC_SAMPLE_MAX) {
         criteria.sine2 = 0;
-        criteria.max_triangles = ICC_SAMPLE_MAX;
+        criteria.max_triangles =
+            PATIENCE * limit < ICC_SAMPLE_MAX ? (size_t)(PATIENCE * limit) : ICC_SAMPLE_MAX;
         ok = shim_cgal_domain(&sides, &criteria, &mesh, &report);
     }
-    if (!ok) return refuse(s, report.status, max_area, err);
+    if (!ok) return refuse(s, report.status, max_area, criteria.max_triangles, err);
     free(s->map.at[0]);
     free(s->map.triangle);
     s->map.at[0] = mesh.vertex;
@@ -189,14 +192,15 @@ bool icc_sample(struct plane_map *map, const struct icc_sampled *what, double ma
     struct sampler s = {.what = what, .report = report};
     *report = (struct icc_sample_report){0};
     if (what->source->area / max_area > ICC_SAMPLE_MAX)
-        return refuse(&s, SHIM_CGAL_LIMIT, max_area, err);
+        return refuse(&s, SHIM_CGAL_LIMIT, max_area, ICC_SAMPLE_MAX, err);
     bool ok = cage_sides(&s, err) &&
               triangulate(&s, (const double(*)[2])what->source->vertex, what->source->count,
                           max_area, err) &&
               map_vertices(&s, err);
     size_t given = s.mapped;
     report->left = report->flipped = ok ? count_flipped(&s.map) : 0;
-    while (ok && report->left > 0 && report->rounds < ROUNDS) {
+    while (ok && report->left > 0 && report->rounds < ROUNDS &&
+           s.map.triangle_count + 2 * report->left <= ICC_SAMPLE_MAX) {
         report->rounds++;
         ok = add_points(&s, err);
         if (ok) report->left = count_flipped(&s.map);

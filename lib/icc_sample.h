@@ -32,7 +32,7 @@ struct icc_sample_report {
     size_t added, lost; /* vertices, because of that */
     size_t left;        /* triangles turned over in the end */
     double where[2];    /* a corner of one of them, in the source */
-    bool too_many;      /* triangles: that is why it was refused */
+    bool too_many;      /* triangles, of such an area: that is why it was refused */
 };
 
 /* Makes the map, with a target of so many significant digits (0: doubles). If report->left > 0,

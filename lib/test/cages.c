@@ -10,7 +10,7 @@
 #define TURN 6.283185307179586
 
 static void begin(struct cage_pair *p, const char *name, size_t n, double stretch) {
-    *p = (struct cage_pair){.name = name, .count = n, .stretch = stretch};
+    *p = (struct cage_pair){.name = name, .count = n, .stretch = stretch, .back = 1e-12};
     p->source = calloc(n, sizeof *p->source);
     p->target = calloc(n, sizeof *p->target);
     assert_true(p->source && p->target);
@@ -128,6 +128,7 @@ static void make_neck(struct cage_pair *p, int i) {
           (const char *[]){"dumbbell", "a neck of 1e-5 that opens", "a neck that closes to 1e-5",
                            "a neck of 1e-5 to a circle"}[i],
           12, i ? 1e6 : 1e2);
+    if (i == 2) p->back = 1e-11;
     dumbbell(p->source, (const double[]){0.1, 5e-6, 0.4, 5e-6}[i]);
     dumbbell(p->target, (const double[]){0.4, 0.4, 5e-6, 0}[i]);
     if (i == 3) circle(p->target, 12);
@@ -142,8 +143,10 @@ static void make_comb(struct cage_pair *p, int i) {
     comb(p->source, teeth[i], i ? 30 : 10);
     if (i < 2)
         circle(p->target, p->count);
-    else
+    else {
         comb(p->target, teeth[i], 3);
+        p->back = 1e-9;
+    }
 }
 
 void cage_pair_make(struct cage_pair *p, int i) {

@@ -11,6 +11,8 @@ struct cage_pair {
     size_t count;
     double (*source)[2], (*target)[2];
     double stretch; /* that parts may suffer on the way: rounding counts as often more */
+    double back;    /* that a point may be off, there and back, over the diameter: 1e-12, but where
+                       the target is so narrow that its doubles are further apart in the source */
 };
 
 enum { CAGE_PAIRS_QUICK = 16, CAGE_PAIRS = 18 }; /* the last two have many vertices */

@@ -200,8 +200,9 @@ static void test_far(void **unused) {
                                {34, 2}, {32, 2}, {32, 64}, {0, 64}};
     (void)unused;
     for (int e = 40; e <= 52; e++) {
-        struct cage_pair pair = {"far from the origin", 8, calloc(8, sizeof *pair.source),
-                                 calloc(8, sizeof *pair.target), 1e16};
+        struct cage_pair pair = {
+            "far from the origin",          8,    calloc(8, sizeof *pair.source),
+            calloc(8, sizeof *pair.target), 1e16, 1};
         for (int i = 0; i < 8; i++)
             for (int k = 0; k < 2; k++) {
                 pair.target[i][k] = comb[i][k];
