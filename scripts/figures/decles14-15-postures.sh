@@ -5,8 +5,8 @@
 # picture: frame 449
 # picture: overlap {overlap-449}
 # seen: One model at rest and one script (posture.awk, see figure 2), two other frames of the same worm: the
-#   silhouettes and the outlines measured in the video overlap by {overlap-303} and {overlap-449}; both maps
-#   are {local-303} and {local-449}.
+#   silhouettes and the outlines measured in the video overlap by {overlap-303} and {overlap-449}; the
+#   verdicts of check-grid are {local-303} and {local-449}.
 worm=$DATA/models/virtual_worm_cuticle_red75.obj
 mkgrid --model "$worm" --flat --plane zy --cells 40 --margin 0.15 -o rest.grid
 n=0

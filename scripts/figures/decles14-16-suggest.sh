@@ -2,7 +2,7 @@
 # paper: Not known to us. By section 5.1 each derived point gets a suggested position p', the farther from
 #   the anchor the nearer to where it was; the solution p'' is the nearest to all p', in least squares, that
 #   keeps the conditions (13)-(23).
-# seen: Light arrows lead from p to p', dark ones from p' to p''. The dark ones are short: the
+# seen: Light arrows lead from p to p', dark ones from p' to p''. The dark ones are hardly to be seen: the
 #   suggestions are nearly smooth already, and the solution mends what is not. No point moves farther than
 #   {gain} times the anchor.
 mkgrid --rect 0,0,6,4 --cells 3x2 -o flat.grid
