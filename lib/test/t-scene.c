@@ -197,6 +197,18 @@ static void models_become_faces(void **unused) {
     scene_free(&s);
 }
 
+/* The identity on a square of two triangles, with depth from -1 to 1 or without. */
+static void two_triangles(struct spline *spline, int degree, bool depth) {
+    struct recipe recipe = {.nx = 1, .ny = 1, .spacing = 2};
+    struct grid g;
+    struct err err;
+    triangulate(&g, &recipe, degree, 0);
+    g.has_depth = depth;
+    g.depth[0] = -1;
+    g.depth[1] = 1;
+    assert_true(grid_build(&g, &err) && spline_identity(spline, &g, &err));
+}
+
 /* What two triangles with one inner edge have of each layer, on every sheet: 9 faces a triangle; 5
  * edges of 3 steps; 36 control points; 15 edges of the net in each of three directions; 5
  * conditions of two faces. Between two sheets: 4 walls of 3 steps of two faces, 4 uprights. */
@@ -207,17 +219,11 @@ static void layers_of_prisms_add_up(void **unused) {
         for (int depth = 0; depth < 2; depth++) {
             const unsigned layers = choice % 32, which = choice / 32;
             const struct scene_prisms_options options = {layers, which, 3};
-            struct recipe recipe = {.nx = 1, .ny = 1, .spacing = 2};
             size_t face_count = 0, line_count = 0;
-            struct grid g;
             struct spline spline;
             struct scene s = {0};
             struct err err;
-            triangulate(&g, &recipe, 5, 0);
-            g.has_depth = depth;
-            g.depth[0] = -1;
-            g.depth[1] = 1;
-            assert_true(grid_build(&g, &err) && spline_identity(&spline, &g, &err));
+            two_triangles(&spline, 5, depth);
             assert_true(scene_add_prisms(&s, &spline, &options, &err));
             for (unsigned i = 0; i < 5; i++) {
                 size_t shown = !depth ? 1 : i < PRISMS_POINTS ? 2 : which % 2 + which / 2;
@@ -237,18 +243,12 @@ static void layers_of_prisms_add_up(void **unused) {
  * there, four lines to it from points at height 1. */
 static void nets_stand_at_their_coefficients(void **unused) {
     const struct scene_prisms_options options = {1u << PRISMS_NET | 1u << PRISMS_POINTS, 3, 1};
-    struct recipe recipe = {.nx = 1, .ny = 1, .spacing = 2};
     size_t dots = 0, ends = 0;
-    struct grid g;
     struct spline spline;
     struct scene s = {0};
     struct err err;
     (void)unused;
-    triangulate(&g, &recipe, 2, 0);
-    g.has_depth = true;
-    g.depth[0] = -1;
-    g.depth[1] = 1;
-    assert_true(grid_build(&g, &err) && spline_identity(&spline, &g, &err));
+    two_triangles(&spline, 2, true);
     uint32_t middle = grid_point(&spline.grid, 0, 0, 1, 1);
     spline.sigma[middle][1] = 9;
     spline.phi[middle][0] = 0.75;
