@@ -59,8 +59,7 @@ static bool cut_sides(struct icc_mesh *m, const struct cage *c, double h, struct
 static bool choose_points(struct work *w, size_t n, struct err *err) {
     const struct cage *c = w->cage;
     if (n > ICC_POINTS_MAX)
-        return err_set(err, ERR_REFUSAL, "%zu points inside are too many; at most %d", n,
-                       ICC_POINTS_MAX);
+        return err_set(err, ERR_REFUSAL, "more than %d points inside are too many", ICC_POINTS_MAX);
     w->h = INFINITY;
     if (n == 0) return true;
     w->h = fmax(sqrt(c->area / (sqrt(3) / 2 * (double)n)),
