@@ -16,6 +16,7 @@
 
 #define ROW_X 0.9950041652780258 /* cosine and sine of 0.1: the angle between rows and the axis */
 #define ROW_Y 0.09983341664682815
+#define ROUND 1e-6 /* relative difference of principal moments from which on an axis is certain */
 
 /* Where the lattice lies: centre + rotation by (x, y) of what is in its own frame. */
 struct frame {
@@ -60,27 +61,41 @@ static void integrate(const struct cage *c, const double centre[2], double sum[6
     }
 }
 
-/* The direction of the longer principal axis: half the angle of (xx - yy, 2 xy). */
-static void find_axis(const double second[3], double axis[2]) {
+/* The direction of the longer principal axis: half the angle of (xx - yy, 2 xy). False: there is
+ * none, but for rounding. */
+static bool find_axis(const double second[3], double axis[2]) {
     double p = second[0] - second[2], q = 2 * second[1], r = sqrt(p * p + q * q);
-    axis[0] = 1;
-    axis[1] = 0;
-    if (!(r > 0)) return;
+    if (!(r > ROUND * (second[0] + second[2]))) return false;
     axis[0] = sqrt((1 + p / r) / 2);
     axis[1] = sqrt((1 - p / r) / 2) * (q < 0 ? -1 : 1);
+    return true;
 }
 
-static struct frame find_frame(const struct cage *c) {
+/* Sums over the sides of x^2, xy, y^2 of their midpoints from the centre, in diameters. */
+static void weigh_sides(const struct cage *c, const double *weight, const double centre[2],
+                        double second[3]) {
+    memset(second, 0, 3 * sizeof *second);
+    for (uint32_t k = 0; k < c->count; k++) {
+        const double *a = c->vertex[k], *b = c->vertex[cage_next(c, k)];
+        double m[2], w = weight ? weight[k] : 1;
+        for (int i = 0; i < 2; i++)
+            m[i] = (a[i] - centre[i] + (b[i] - centre[i])) / (2 * c->diameter);
+        for (int i = 0; i < 3; i++) second[i] += w * (m[i == 2] * m[i > 0]);
+    }
+}
+
+static struct frame find_frame(const struct cage *c, const double *weight) {
     static const double origin[2] = {0, 0};
-    double sum[6], centroid[2], axis[2];
+    double sum[6], centroid[2], sides[3], axis[2] = {1, 0};
     struct frame f;
     integrate(c, origin, sum);
     for (int i = 0; i < 2; i++) centroid[i] = sum[1 + i] / sum[0];
     integrate(c, centroid, sum);
-    find_axis(sum + 3, axis);
+    for (int i = 0; i < 2; i++) f.centre[i] = c->vertex[0][i] + c->diameter * centroid[i];
+    weigh_sides(c, weight, f.centre, sides);
+    if (!find_axis(sum + 3, axis)) (void)find_axis(sides, axis);
     f.x = ROW_X * axis[0] - ROW_Y * axis[1];
     f.y = ROW_Y * axis[0] + ROW_X * axis[1];
-    for (int i = 0; i < 2; i++) f.centre[i] = c->vertex[0][i] + c->diameter * centroid[i];
     return f;
 }
 
@@ -191,10 +206,10 @@ static bool fill_row(struct fill *f, int64_t j, struct err *err) {
     return true;
 }
 
-static bool prepare(struct fill *f, double spacing, struct err *err) {
+static bool prepare(struct fill *f, const double *weight, double spacing, struct err *err) {
     const struct cage *c = f->cage;
     double lo[2] = {0, 0}, hi[2] = {0, 0};
-    f->frame = find_frame(c);
+    f->frame = find_frame(c, weight);
     f->step[0] = spacing;
     f->step[1] = spacing * (sqrt(3) / 2);
     if (!mem_new(f->vertex, c->count, err) || !mem_new(f->crossing, c->count, err)) return false;
@@ -215,10 +230,10 @@ static bool prepare(struct fill *f, double spacing, struct err *err) {
     return list_sides(f, err);
 }
 
-bool cage_fill(const struct cage *c, double spacing, double clearance, size_t limit,
-               double (**point)[2], size_t *count, struct err *err) {
+bool cage_fill(const struct cage *c, const double *weight, double spacing, double clearance,
+               size_t limit, double (**point)[2], size_t *count, struct err *err) {
     struct fill f = {.cage = c, .clearance = clearance, .limit = limit};
-    bool ok = prepare(&f, spacing, err);
+    bool ok = prepare(&f, weight, spacing, err);
     for (int64_t j = f.low[1]; ok && j <= f.high[1]; j++) ok = fill_row(&f, j, err);
     free(f.vertex);
     free(f.start);

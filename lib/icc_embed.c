@@ -54,12 +54,15 @@ static bool is_convex(const struct icc_disk *d) {
 bool icc_disk_init(struct icc_disk *d, const struct cage *source, struct err *err) {
     double(*exact)[2] = NULL, quantum = QUANTUM;
     *d = (struct icc_disk){.count = source->count};
-    bool ok = mem_new(d->corner, d->count, err) && mem_new(exact, d->count, err);
+    bool ok = mem_new(d->corner, d->count, err) && mem_new(d->length, d->count, err) &&
+              mem_new(exact, d->count, err);
     if (ok) {
         find_corners(source, exact);
         round_corners(d, (const double(*)[2])exact, quantum);
         for (; quantum > QUANTUM_MIN && !is_convex(d); quantum *= 0x1p-6)
             round_corners(d, (const double(*)[2])exact, quantum * 0x1p-6);
+        for (size_t k = 0; k < d->count; k++)
+            d->length[k] = segment_length(d->corner[k], d->corner[(k + 1) % d->count]);
     }
     free(exact);
     if (!ok) icc_disk_free(d);
@@ -68,6 +71,7 @@ bool icc_disk_init(struct icc_disk *d, const struct cage *source, struct err *er
 
 void icc_disk_free(struct icc_disk *d) {
     free(d->corner);
+    free(d->length);
     *d = (struct icc_disk){0};
 }
 

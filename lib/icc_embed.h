@@ -18,6 +18,7 @@
 struct icc_disk {
     size_t count;
     double (*corner)[2]; /* counter-clockwise */
+    double *length;      /* of the sides */
 };
 
 /* The disk of a source cage. */

@@ -56,7 +56,7 @@ static bool cut_sides(struct icc_mesh *m, const struct cage *c, double h, struct
     return true;
 }
 
-static bool choose_points(struct work *w, size_t n, struct err *err) {
+static bool choose_points(struct work *w, const double *weight, size_t n, struct err *err) {
     const struct cage *c = w->cage;
     if (n > ICC_POINTS_MAX)
         return err_set(err, ERR_REFUSAL, "more than %d points inside are too many", ICC_POINTS_MAX);
@@ -64,7 +64,7 @@ static bool choose_points(struct work *w, size_t n, struct err *err) {
     if (n == 0) return true;
     w->h = fmax(sqrt(c->area / (sqrt(3) / 2 * (double)n)),
                 c->perimeter / (RIM_PER_POINT * (double)(n + c->count)));
-    return cage_fill(c, w->h, CLEARANCE * w->h, 2 * (size_t)ICC_POINTS_MAX, &w->inside,
+    return cage_fill(c, weight, w->h, CLEARANCE * w->h, 2 * (size_t)ICC_POINTS_MAX, &w->inside,
                      &w->inside_count, err);
 }
 
@@ -149,10 +149,11 @@ static bool build(struct icc_mesh *m, struct work *w, struct err *err) {
     return sound || err_set(err, ERR_REFUSAL, "precision: the cage cannot be triangulated");
 }
 
-bool icc_mesh_init(struct icc_mesh *m, const struct cage *cage, size_t points, struct err *err) {
+bool icc_mesh_init(struct icc_mesh *m, const struct cage *cage, const double *weight, size_t points,
+                   struct err *err) {
     struct work w = {.cage = cage};
     *m = (struct icc_mesh){.side_count = cage->count};
-    bool ok = mem_new(m->start, cage->count + 1, err) && choose_points(&w, points, err) &&
+    bool ok = mem_new(m->start, cage->count + 1, err) && choose_points(&w, weight, points, err) &&
               build(m, &w, err) && mesh_link(&m->mesh, err);
     free(w.inside);
     free(w.point);

@@ -12,7 +12,7 @@
  *
  * All triangles are counter-clockwise and cover the cage once; its sides are unions of edges, but
  * for the rounding of rim vertices; no triangle has three corners on one side. Everything depends
- * on the prepared cage alone. */
+ * on the prepared cage alone, and on the weights where it is too symmetric for that. */
 #ifndef ICC_MESH_H
 #define ICC_MESH_H
 
@@ -34,8 +34,8 @@ struct icc_mesh {
 size_t icc_mesh_points(size_t sides);
 
 /* With about `points` inside points; where sides are so close, or far from the origin, that their
- * parts as rounded touch, sides remain uncut. About 5 us a point. */
-bool icc_mesh_init(struct icc_mesh *m, const struct cage *cage, size_t points,
+ * parts as rounded touch, sides remain uncut. weight: see cage_fill. About 5 us a point. */
+bool icc_mesh_init(struct icc_mesh *m, const struct cage *cage, const double *weight, size_t points,
                    struct err *err) WARN_UNUSED;
 void icc_mesh_free(struct icc_mesh *m); /* harmless on a zeroed struct */
 

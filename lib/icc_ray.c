@@ -106,7 +106,7 @@ static bool begin(struct icc_ray *r, const struct icc_ray *source, struct err *e
 bool icc_ray_init(struct icc_ray *r, const struct cage *cage, const struct icc_ray *source,
                   size_t points, struct err *err) {
     *r = (struct icc_ray){.cage = cage};
-    bool ok = begin(r, source, err) && icc_mesh_init(&r->mesh, cage, points, err) &&
+    bool ok = begin(r, source, err) && icc_mesh_init(&r->mesh, cage, r->disk.length, points, err) &&
               icc_embed(&r->mesh, &r->disk, &r->image, &r->uniform, err) &&
               (source || find_centre(r, err));
     if (!ok) icc_ray_free(r);

@@ -50,7 +50,7 @@ static void check(const double (*v)[2], size_t n, double h, double r, uint64_t s
     double(*point)[2], e[2], reach = 0;
     size_t count;
     assert_true(cage_init(&c, v, n, &err));
-    assert_true(cage_fill(&c, h, r, 100000, &point, &count, &err));
+    assert_true(cage_fill(&c, NULL, h, r, 100000, &point, &count, &err));
     for (size_t i = 0; i < count; i++) check_seed(seed, depth(v, n, point[i]) > r * (1 - 1e-9));
     if (find_row((const double(*)[2])point, count, h, e)) {
         for (size_t i = 0; i < n; i++) reach = fmax(reach, distance(v[i], point[0]));
@@ -92,15 +92,16 @@ static void test_planted(void **unused) {
     size_t count;
     (void)unused;
     assert_true(cage_init(&c, thin, 4, &err)); /* no room: half as wide as the clearance wants */
-    assert_true(cage_fill(&c, 1, 0.45, 10, &point, &count, &err));
+    assert_true(cage_fill(&c, NULL, 1, 0.45, 10, &point, &count, &err));
     assert_int_equal(count, 0);
     cage_free(&c);
     assert_true(cage_init(&c, square, 4, &err));
-    assert_true(cage_fill(&c, 1, 2.9, 10, &point, &count, &err)); /* the centroid is a point */
+    assert_true(
+        cage_fill(&c, NULL, 1, 2.9, 10, &point, &count, &err)); /* the centroid is a point */
     assert_int_equal(count, 1);
     assert_true(fabs(point[0][0]) < 1e-15 && fabs(point[0][1]) < 1e-15);
     free(point);
-    assert_false(cage_fill(&c, 1, 0.1, 10, &point, &count, &err));
+    assert_false(cage_fill(&c, NULL, 1, 0.1, 10, &point, &count, &err));
     assert_int_equal(err.kind, ERR_REFUSAL);
     assert_string_equal(err.message, "more than 10 points inside");
     cage_free(&c);

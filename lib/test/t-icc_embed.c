@@ -133,7 +133,7 @@ static void check_pair(const struct cage_pair *pair, size_t points) {
         struct icc_mesh m;
         double(*image)[2];
         bool uniform;
-        assert_true(icc_mesh_init(&m, &cages[i], points, &err));
+        assert_true(icc_mesh_init(&m, &cages[i], disk.length, points, &err));
         assert_true(icc_embed(&m, &disk, &image, &uniform, &err));
         check_triangles(&m, (const double(*)[2])m.mesh.vertex, pair->name);
         check_triangles(&m, (const double(*)[2])image, pair->name);
@@ -183,13 +183,13 @@ static void test_points(void **unused) {
     assert_true(cage_init(&c, square, 4, &err));
     for (int i = 0; i < 5; i++) {
         struct icc_mesh m;
-        assert_true(icc_mesh_init(&m, &c, counts[i], &err));
+        assert_true(icc_mesh_init(&m, &c, NULL, counts[i], &err));
         double inside = (double)(m.mesh.vertex_count - m.rim_count), want = (double)counts[i];
         assert_true(fabs(inside - want) <= 3 * sqrt(want));
         icc_mesh_free(&m);
     }
     struct icc_mesh m;
-    assert_false(icc_mesh_init(&m, &c, (size_t)ICC_POINTS_MAX + 1, &err));
+    assert_false(icc_mesh_init(&m, &c, NULL, (size_t)ICC_POINTS_MAX + 1, &err));
     assert_int_equal(err.kind, ERR_REFUSAL);
     cage_free(&c);
 }
@@ -225,7 +225,7 @@ static void test_refusal(void **unused) {
     (void)unused;
     cage_pair_random(&pair, 12, 12, 3);
     assert_true(cage_init(&c, (const double(*)[2])pair.source, pair.count, &err));
-    assert_true(icc_disk_init(&disk, &c, &err) && icc_mesh_init(&m, &c, 600, &err));
+    assert_true(icc_disk_init(&disk, &c, &err) && icc_mesh_init(&m, &c, NULL, 600, &err));
     memcpy(disk.corner[3], (const double[]){0, 0}, sizeof *disk.corner);
     assert_false(icc_embed(&m, &disk, &image, &uniform, &err));
     assert_int_equal(err.kind, ERR_REFUSAL);
