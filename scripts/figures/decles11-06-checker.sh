@@ -7,6 +7,5 @@
 mkgrid --rect 0,0,6,6 --cells 3x3 -o flat.grid
 for c in 0 1; do
     decles-edit --continuity $c -e 'move v^4,4 by -0.8 -0.6 reach 4' flat.grid |
-        convert-grid --to obj --steps 24 |
         render-checker --squares 24 --size 400x400 -o decles11-06-checker-$((c + 1)).png
 done

@@ -13,7 +13,7 @@ cat messages
 awk '{ for (i = 1; i < NF; i++) if ($i == "limited") print "part", $(i + 2) }' messages
 check-grid folded.grid 2>/dev/null >report || true
 awk '/^local:/ { print "first", $2 } /^det-lower:/ { print "folded", $2 }' report
-check-grid limited.grid >report
+check-grid --bound 1e-4 limited.grid >report
 awk '/^local:/ { print "second", $2 } /^det-lower:/ { print "least", $2 }' report
 draw-grid --layers jacobian,triangles,outline --width 430 -o decles14-09-folds-1.png folded.grid
 draw-grid --layers jacobian,triangles,outline --width 430 -o decles14-09-folds-2.png limited.grid

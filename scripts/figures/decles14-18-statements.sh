@@ -19,5 +19,5 @@ list-points box:0,0,8,3.4 pinned.grid | cmp -s before - && echo 'below by not a 
 n=0
 for name in rest turned scaled pinned; do
     n=$((n + 1))
-    convert-grid --to obj $name.grid | render-checker --size 300x300 -o decles14-18-statements-$n.png
+    render-checker --size 300x300 -o decles14-18-statements-$n.png $name.grid
 done
