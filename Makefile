@@ -18,26 +18,28 @@ FUZZ_SECONDS ?= 30
 export BUILD FUZZ_SECONDS
 
 WARN     := -Wall -Wextra -Wshadow -Wconversion -Wvla $(WERROR)
-CPPFLAGS += -Ilib -D_GNU_SOURCE -DSUPPLE_VERSION='"$(VERSION)"' $(shell pkg-config --cflags-only-I cairo)
+CPPFLAGS += -Ilib -D_GNU_SOURCE -DSUPPLE_VERSION='"$(VERSION)"' $(shell pkg-config --cflags-only-I cairo libpng)
 CFLAGS   += -std=c11 $(OPT) -ffp-contract=off $(WARN) -Wmissing-prototypes $(SAN)
 CXXFLAGS += -std=c++17 $(OPT) -ffp-contract=off $(WARN) $(SAN)
-# OpenImageIO takes 0.2 s to start: --as-needed keeps it out of programs that do not use it.
-LIBS     := -Wl,--as-needed -lspqr -lcholmod $(shell pkg-config --libs mpfr gmp zlib cairo OpenImageIO) -lm
+LIBS     := -Wl,--as-needed -lspqr -lcholmod $(shell pkg-config --libs mpfr gmp zlib cairo libpng) -ldl -lm
+# OpenImageIO takes 0.2 s to start: it is in a module, which programs look for beside themselves.
+OIIO     := $(BUILD)/lib/supple/supple-oiio.so
+FIND_OIIO = -Wl,-rpath,'$$ORIGIN/../lib/supple'
 TESTLIBS := $(shell pkg-config --libs cmocka 2>/dev/null || echo -lcmocka)
 
 objects  = $(patsubst %,$(BUILD)/%.o,$(basename $(1)))
 LIB     := $(BUILD)/libsupple.a
-LIB_OBJ := $(call objects,$(wildcard lib/*.c lib/*.cc))
+LIB_OBJ := $(call objects,$(filter-out lib/shim_oiio.cc,$(wildcard lib/*.c lib/*.cc)))
 TOOLS   := $(patsubst %.c,$(BUILD)/bin/%,$(notdir $(wildcard tools/*.c)))
 TEST_OBJ := $(call objects,$(filter-out lib/test/t-%,$(wildcard lib/test/*.c)))
 TESTS   := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard lib/test/t-*.c)))
 FUZZERS := $(patsubst %.c,$(BUILD)/fuzz/%,$(notdir $(wildcard lib/fuzz/fuzz-*.c)))
 BENCH   := $(patsubst %,$(BUILD)/bench/%,$(basename $(notdir $(wildcard scripts/bench/*.c scripts/bench/*.cc))))
-HEADERS := $(filter-out lib/shim_%,$(wildcard lib/*.h))
+HEADERS := $(filter-out lib/shim_% lib/oiio_load.h,$(wildcard lib/*.h))
 SOURCES := $(wildcard lib/*.[ch] lib/*.cc lib/test/*.[ch] lib/fuzz/*.[ch] tools/*.c scripts/bench/*.c scripts/bench/*.cc)
 
 .PHONY: all tests help unit check check-long bless demo bench figures picture asan fuzz fuzzers lint format install uninstall dist clean
-all: $(TOOLS) $(LIB)     ## build the programs into build/bin
+all: $(TOOLS) $(LIB) $(OIIO)     ## build the programs into build/bin
 
 tests: $(TESTS)          ## build the unit tests into build/test
 
@@ -87,21 +89,22 @@ format:                  ## lay out the sources with clang-format
 	clang-format -i $(SOURCES)
 
 install: all             ## install programs, library, headers and manuals below PREFIX
-	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig include/supple share/man/man1 \
+	install -d $(addprefix $(DESTDIR)$(PREFIX)/,bin lib/pkgconfig lib/supple include/supple share/man/man1 \
 	    share/man/man3 share/man/man5 share/man/man7)
 	install $(TOOLS) $(DESTDIR)$(PREFIX)/bin
 	install -m 644 $(LIB) $(DESTDIR)$(PREFIX)/lib
+	install -m 644 $(OIIO) $(DESTDIR)$(PREFIX)/lib/supple
 	install -m 644 $(HEADERS) $(DESTDIR)$(PREFIX)/include/supple
 	for page in $(wildcard man/*.[1-8]); do \
 	    install -m 644 $$page $(DESTDIR)$(PREFIX)/share/man/man$${page##*.} || exit; done
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: supple' 'Description: smooth deformations of plane and 2.5-D space' \
 	    'Version: $(VERSION)' 'Cflags: -I$${prefix}/include/supple' \
-	    'Libs: -L$${prefix}/lib -lsupple $(LIBS) -lstdc++' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/supple.pc
+	    'Libs: -L$${prefix}/lib -lsupple -Wl,-rpath,$${prefix}/lib/supple $(LIBS) -lstdc++' >$(DESTDIR)$(PREFIX)/lib/pkgconfig/supple.pc
 
 uninstall:               ## remove what install put there
 	cd $(DESTDIR)$(PREFIX) && rm -f $(addprefix bin/,$(notdir $(TOOLS))) lib/libsupple.a \
 	    lib/pkgconfig/supple.pc $(foreach m,$(notdir $(wildcard man/*.[1-8])),share/man/man$(subst .,,$(suffix $m))/$m)
-	rm -rf $(DESTDIR)$(PREFIX)/include/supple
+	rm -rf $(addprefix $(DESTDIR)$(PREFIX)/,include/supple lib/supple)
 
 dist:                    ## pack the last commit as build/supple-VERSION.tar.gz
 	@mkdir -p build
@@ -114,17 +117,21 @@ $(LIB): $(LIB_OBJ)
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-$(BUILD)/bin/%: $(BUILD)/tools/%.o $(LIB)
+$(OIIO): $(BUILD)/lib/shim_oiio.o
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< $(LIB) $(LIBS)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -shared -o $@ $< $(shell pkg-config --libs OpenImageIO)
 
-$(BUILD)/test/%: $(BUILD)/lib/test/%.o $(TEST_OBJ) $(LIB)
+$(BUILD)/bin/%: $(BUILD)/tools/%.o $(LIB) $(OIIO)
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $< $(TEST_OBJ) $(LIB) $(LIBS) $(TESTLIBS)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) $(FIND_OIIO) -o $@ $< $(LIB) $(LIBS)
 
-$(BUILD)/fuzz/%: $(BUILD)/lib/fuzz/%.o $(LIB)
+$(BUILD)/test/%: $(BUILD)/lib/test/%.o $(TEST_OBJ) $(LIB) $(OIIO)
 	@mkdir -p $(@D)
-	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) -o $@ $< $(LIB) $(LIBS)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) $(FIND_OIIO) -o $@ $< $(TEST_OBJ) $(LIB) $(LIBS) $(TESTLIBS)
+
+$(BUILD)/fuzz/%: $(BUILD)/lib/fuzz/%.o $(LIB) $(OIIO)
+	@mkdir -p $(@D)
+	$(CXX) $(CXXFLAGS) -fsanitize=fuzzer $(LDFLAGS) $(FIND_OIIO) -o $@ $< $(LIB) $(LIBS)
 
 $(BUILD)/bench/%: $(BUILD)/scripts/bench/%.o $(LIB)
 	@mkdir -p $(@D)
@@ -138,6 +145,7 @@ $(BUILD)/%.o: %.cc
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(CXXFLAGS) -MMD -MP -c -o $@ $<
 
+$(BUILD)/lib/shim_oiio.o: CXXFLAGS += -fPIC
 $(BUILD)/lib/shim_cgal.o: CXXFLAGS += -frounding-math # for CGAL's interval arithmetic
 $(BUILD)/scripts/bench/cgal_locate.o: CXXFLAGS += -frounding-math -DNDEBUG
 

@@ -3,10 +3,10 @@
 
 #include "filemap.h"
 #include "mem.h"
+#include "oiio_load.h"
 #include "out.h"
 #include "png_io.h"
 #include "pnm_io.h"
-#include "shim_oiio.h"
 
 #include <inttypes.h>
 #include <string.h>
@@ -19,8 +19,8 @@ static const char *const titles[] = {"PNG", "TIFF", "OpenEXR", "PNM", "JPEG"};
 
 static const char *const sample_names[] = {"8 bits", "16 bits", "halves", "floats"};
 
-/* As OpenImageIO calls them. */
-static const char *const oiio_names[] = {"png", "tiff", "openexr", NULL, "jpeg"};
+/* As OpenImageIO calls them; NULL: not its business. */
+static const char *const oiio_names[] = {NULL, "tiff", "openexr", NULL, "jpeg"};
 
 /* --- Reading -------------------------------------------------------------------------------- */
 
@@ -65,11 +65,14 @@ static bool check_spec(const struct shim_oiio_spec *s, int64_t most, struct err 
 
 static bool decode(struct image *image, const void *bytes, size_t length, const char *format,
                    const struct image_request *request, struct err *err) {
+    const struct shim_oiio *oiio = oiio_load(err);
     struct shim_oiio_report report;
     struct shim_oiio_spec spec = {0};
-    struct shim_oiio_reader *r =
-        shim_oiio_open(bytes, length, format, (int)request->page - 1, &spec, &report);
-    bool ok = r || report_failure(&report, request->page, err);
+    struct shim_oiio_reader *r;
+    bool ok;
+    if (!oiio) return false;
+    r = oiio->open(bytes, length, format, (int)request->page - 1, &spec, &report);
+    ok = r || report_failure(&report, request->page, err);
     *image = (struct image){.width = spec.width,
                             .height = spec.height,
                             .channels = spec.channels,
@@ -78,19 +81,9 @@ static bool decode(struct image *image, const void *bytes, size_t length, const 
                             .sample = (enum image_sample)spec.sample,
                             .names = spec.names};
     ok = ok && check_spec(&spec, request->max_pixels, err) && image_allocate(image, err);
-    if (ok && !shim_oiio_pixels(r, image->value, &report))
+    if (ok && !oiio->pixels(r, image->value, &report))
         ok = report_failure(&report, request->page, err);
-    shim_oiio_close(r);
-    return ok;
-}
-
-static bool decode_png(struct image *image, const struct filemap *f,
-                       const struct image_request *request, struct err *err) {
-    size_t n;
-    void *pixels;
-    bool ok = png_pixels_only(f->data, f->length, &pixels, &n, err);
-    ok = ok && decode(image, pixels, n, oiio_names[IMAGE_PNG], request, err);
-    free(pixels);
+    oiio->close(r);
     return ok;
 }
 
@@ -103,12 +96,12 @@ static bool read_mapped(struct image *image, const struct filemap *f,
                               request->page, err);
     if (request->page == 1 && !check_pixels(h.width, h.height, request->max_pixels, err))
         return false;
-    if (h.format == IMAGE_PNG) return decode_png(image, f, request, err);
-    if (h.format != IMAGE_PNM)
+    if (oiio_names[h.format])
         return decode(image, f->data, f->length, oiio_names[h.format], request, err);
     image->width = h.width;
     image->height = h.height;
-    return pnm_read(image, &h, f->data, f->length, err);
+    return h.format == IMAGE_PNG ? png_read(image, f->data, f->length, err)
+                                 : pnm_read(image, &h, f->data, f->length, err);
 }
 
 bool image_read(struct image *image, const struct image_request *request, struct err *err) {
@@ -181,8 +174,10 @@ static bool encode(struct out *out, const struct image *image, enum image_format
                                   .straight = image->straight,
                                   .sample = (enum shim_oiio_sample)image->sample,
                                   .names = image->names};
+    const struct shim_oiio *oiio = oiio_load(err);
     struct shim_oiio_report report;
-    return shim_oiio_write(oiio_names[format], &spec, samples, to_out, out, &report) ||
+    if (!oiio) return false;
+    return oiio->write(oiio_names[format], &spec, samples, to_out, out, &report) ||
            err_set(err, ERR_INPUT, "cannot write %s: %s", titles[format], report.message);
 }
 
@@ -208,7 +203,8 @@ bool image_write(const struct image *image, enum image_format format, const char
     if (ok && format == IMAGE_PNM)
         pnm_write(&out, image, samples);
     else if (ok)
-        ok = encode(&out, image, format, samples, err);
+        ok = format == IMAGE_PNG ? png_write(&out, image, samples, err)
+                                 : encode(&out, image, format, samples, err);
     if (ok)
         ok = out_close(&out, err);
     else

@@ -6,7 +6,7 @@
  * have 8 or 16 bits, are halves or floats; fewer bits are spread over 8. Palettes, CMYK and YCbCr
  * become RGB. An OpenEXR image is its data window.
  *
- * Programs that use this module take 0.2 s to start. */
+ * PNG and PNM take no time to begin with; for the others, OpenImageIO is loaded (oiio_load.h). */
 #ifndef IMAGE_IO_H
 #define IMAGE_IO_H
 

@@ -1,18 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* png_io - a PNG file without all that is not pixels.
+/* png_io - the pixels of PNG files, by libpng.
  *
- * Texts and profiles of a few bytes may unfold to gigabytes, and what ends early makes OpenImageIO
- * 2.4 leak; so a decoder gets a copy with the chunks IHDR, PLTE, tRNS, IDAT and IEND alone. */
+ * Of a file that is read, all that is not pixels is left out before: texts and profiles of a few
+ * bytes may unfold to gigabytes. So the decoder gets a copy with the chunks IHDR, PLTE, tRNS, IDAT
+ * and IEND alone. Palettes become RGB, a transparent colour becomes an alpha channel, fewer than 8
+ * bits become 8. What is cut or damaged is an error, also an index that the palette does not have.
+ */
 #ifndef PNG_IO_H
 #define PNG_IO_H
 
-#include "err.h"
+#include "image.h"
+#include "out.h"
 
-/* Sets *copy, to be freed, and its length. Errors, which have no place: a chunk's length goes
- * beyond the end, a critical chunk is unknown, chunks IDAT do not follow each other, there is no
- * IEND. The bytes are those of a sound
- * header (image_header_io.h). O(length). */
-bool png_pixels_only(const void *bytes, size_t length, void **copy, size_t *copy_length,
-                     struct err *err) WARN_UNUSED;
+/* Completes an image whose width and height are set, from a file with a sound header
+ * (image_header_io.h); freed by image_free. Errors have no place. */
+bool png_read(struct image *image, const void *bytes, size_t length, struct err *err) WARN_UNUSED;
+
+/* Writes an image of 8 or 16 bits: samples as image_round_u8 or _u16 make them. The same image
+ * gives the same bytes, with the same versions of libpng and zlib. */
+bool png_write(struct out *out, const struct image *image, const void *samples,
+               struct err *err) WARN_UNUSED;
 
 #endif

@@ -216,27 +216,30 @@ void encode(OIIO::Filesystem::IOVecOutput &memory, const char *format, const shi
     s.alpha_channel = spec.alpha;
     s.z_channel = -1;
     if (spec.alpha >= 0 && spec.straight) s.attribute("oiio:UnassociatedAlpha", 1);
-    if (std::strcmp(format, "png") != 0) s.attribute("DateTime", EPOCH);
+    s.attribute("DateTime", EPOCH);
     if (std::strcmp(format, "tiff") == 0) s.attribute("compression", "none");
     if (!output->open("image", s) || !output->write_image(type, samples) || !output->close())
         stop_with(output->geterror());
 }
 
-} // namespace
+void close_reader(shim_oiio_reader *reader) {
+    shim_oiio_report ignored;
+    guarded(&ignored, [&] { delete reader; });
+}
 
-shim_oiio_reader *shim_oiio_open(const void *bytes, size_t length, const char *format, int page,
-                                 shim_oiio_spec *spec, shim_oiio_report *report) {
+shim_oiio_reader *open_reader(const void *bytes, size_t length, const char *format, int page,
+                              shim_oiio_spec *spec, shim_oiio_report *report) {
     std::unique_ptr<shim_oiio_reader> reader;
     bool ok = guarded(report, [&] {
         reader = std::make_unique<shim_oiio_reader>(bytes, length, page);
         open_image(*reader, format, *spec);
     });
     if (ok) return reader.release();
-    shim_oiio_close(reader.release());
+    close_reader(reader.release());
     return nullptr;
 }
 
-bool shim_oiio_pixels(shim_oiio_reader *r, float *value, shim_oiio_report *report) {
+bool read_pixels(shim_oiio_reader *r, float *value, shim_oiio_report *report) {
     return guarded(report, [&] {
         switch (sample_of(r->spec)) {
         case SHIM_OIIO_U8:
@@ -249,14 +252,9 @@ bool shim_oiio_pixels(shim_oiio_reader *r, float *value, shim_oiio_report *repor
     });
 }
 
-void shim_oiio_close(shim_oiio_reader *reader) {
-    shim_oiio_report ignored;
-    guarded(&ignored, [&] { delete reader; });
-}
-
-bool shim_oiio_write(const char *format, const shim_oiio_spec *spec, const void *samples,
-                     void (*sink)(void *context, const char *bytes, size_t length), void *context,
-                     shim_oiio_report *report) {
+bool write_image(const char *format, const shim_oiio_spec *spec, const void *samples,
+                 void (*sink)(void *context, const char *bytes, size_t length), void *context,
+                 shim_oiio_report *report) {
     return guarded(report, [&] {
         OIIO::Filesystem::IOVecOutput memory;
         encode(memory, format, *spec, samples);
@@ -265,3 +263,7 @@ bool shim_oiio_write(const char *format, const shim_oiio_spec *spec, const void 
         OIIO::geterror();
     });
 }
+
+} // namespace
+
+const struct shim_oiio shim_oiio = {open_reader, read_pixels, close_reader, write_image};

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* shim_oiio - the C face of OpenImageIO: images in memory to pixels and back.
  *
+ * The shim is a module of its own, which oiio_load.h loads when it is needed: it takes 0.2 s. All
+ * that it exports is one table of functions.
+ *
  * Only the decoder that is named is tried. Pixels come as floats that hold the samples exactly, see
  * image.h. One thread does all the work. No exception, message or state leaves the shim; since
  * libpng writes its errors to stderr, that is turned to /dev/null while the library works, which
@@ -44,23 +47,25 @@ struct shim_oiio_spec {
 
 struct shim_oiio_reader;
 
-/* Reads the header of the image in these bytes, which are borrowed until shim_oiio_close. `format`
- * is png, tiff, openexr, pnm or jpeg; pages count from 0. NULL: see *report. */
-struct shim_oiio_reader *shim_oiio_open(const void *bytes, size_t length, const char *format,
-                                        int page, struct shim_oiio_spec *spec,
-                                        struct shim_oiio_report *report);
+struct shim_oiio {
+    /* Reads the header of the image in these bytes, which are borrowed until `close`. `format` is
+     * tiff, openexr or jpeg; pages count from 0. NULL: see *report. */
+    struct shim_oiio_reader *(*open)(const void *bytes, size_t length, const char *format, int page,
+                                     struct shim_oiio_spec *spec, struct shim_oiio_report *report);
 
-/* Decodes all of it, once. What is cut or damaged is an error. */
-bool shim_oiio_pixels(struct shim_oiio_reader *reader, float *value,
-                      struct shim_oiio_report *report);
-void shim_oiio_close(struct shim_oiio_reader *reader); /* NULL: nothing */
+    /* Decodes all of it, once. What is cut or damaged is an error. */
+    bool (*pixels)(struct shim_oiio_reader *reader, float *value, struct shim_oiio_report *report);
+    void (*close)(struct shim_oiio_reader *reader); /* NULL: nothing */
 
-/* Encodes an image whose samples are uint8_t, uint16_t or, for both others, float; `sink` gets the
- * bytes. The same image gives the same bytes: no clock, host or version is in them. TIFF is not
- * compressed. */
-bool shim_oiio_write(const char *format, const struct shim_oiio_spec *spec, const void *samples,
-                     void (*sink)(void *context, const char *bytes, size_t length), void *context,
-                     struct shim_oiio_report *report);
+    /* Encodes an image whose samples are uint8_t, uint16_t or, for both others, float; `sink` gets
+     * the bytes. The same image gives the same bytes: no clock, host or version is in them. TIFF is
+     * not compressed. */
+    bool (*write)(const char *format, const struct shim_oiio_spec *spec, const void *samples,
+                  void (*sink)(void *context, const char *bytes, size_t length), void *context,
+                  struct shim_oiio_report *report);
+};
+
+extern const struct shim_oiio shim_oiio;
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Pictures as the formats' specifications say: PNG, TIFF without compression, OpenEXR (ZIP) and PNM
-decoded here, all with the same pixels; no clock in them; limits of time and memory for images that
-mean harm."""
+decoded here, all with the same pixels; no clock in them; SVG by an XML parser; there and back;
+limits of time and memory for images and models that mean harm."""
 import os
 import pty
 import resource
@@ -9,6 +9,7 @@ import struct
 import subprocess
 import sys
 import zlib
+from xml.etree import ElementTree
 
 DATA = os.environ['DATA']
 bad = False
@@ -217,32 +218,88 @@ def bombs():
                                (322, 1 << 20), (323, 1 << 16), (324, 8), (325, 16)))
 
 
+def files_below(folder):
+    return sorted(os.path.join(at, name) for at, _, names in os.walk(os.path.join(DATA, folder))
+                  for name in names)
+
+
+def bounded(*words):
+    """An error, or a picture, within 1 s and 1 GB."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, check=False)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    text = ' '.join(words)
+    if done.returncode not in (0, 1, 3) or (done.returncode == 0) != (done.stderr == b''):
+        complain('%s: status %d, %r' % (text, done.returncode, done.stderr[:200]))
+    if done.returncode and (done.stdout or done.stderr.count(b'\n') != 1):
+        complain('%s: %d bytes, %r' % (text, len(done.stdout), done.stderr[:200]))
+    if spent > 1:
+        complain('%s takes %.1f s' % (text, spent))
+    if after.ru_maxrss > 1 << 20: # the largest of all children until now
+        sys.exit('%s takes %d KB' % (text, after.ru_maxrss))
+
+
 def hostile():
-    """An error, or an image, within 1 s and 1 GB."""
-    files = [os.path.join(DATA, 'hostile/images', name)
-             for name in sorted(os.listdir(os.path.join(DATA, 'hostile/images')))]
+    images = files_below('hostile/images')
     for name, data in bombs():
         with open(name, 'wb') as file:
             file.write(data)
-        files.append(name)
-    grid = run('mkgrid', '--rect', '0,0,9,9', '--cells', '1x1', '--degree', '1')
-    for name in files:
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        done = subprocess.run(['warp-image', '--to', 'pnm', name], input=grid, stdout=subprocess.PIPE,
-                              stderr=subprocess.PIPE, check=False)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-        if done.returncode not in (0, 1) or (done.returncode == 1) != (done.stderr.count(b'\n') == 1):
-            complain('%s: status %d, %r' % (name, done.returncode, done.stderr[:200]))
-        if spent > 1:
-            complain('%s takes %.1f s' % (name, spent))
-        if after.ru_maxrss > 1 << 20: # the largest of all children until now
-            complain('%s takes %d KB' % (name, after.ru_maxrss))
-            return
+        images.append(name)
+    with open('a.grid', 'wb') as file:
+        file.write(run('mkgrid', '--rect', '0,0,9,9', '--cells', '1x1', '--degree', '1'))
+    for name in images:
+        bounded('warp-image', '--to', 'pnm', name, 'a.grid')
+        bounded('draw-grid', '--width', '90', '--image', name, 'a.grid')
+        bounded('render-checker', '--size', '9x9', '--texture', name, 'a.grid')
+    for name in files_below('hostile/obj') + images[:4]:
+        bounded('render-model', name)
+        bounded('render-checker', name)
+        bounded('draw-grid', '--width', '90', '--model', name, 'a.grid')
+        bounded('draw-grid', '--width', '90', '--no-grid', '--lines', name)
+
+
+def there_and_back():
+    """A smooth image through a deformation and its inverse."""
+    n = 96
+    smooth = [round(30000 + 20000 * (x * (n - x) - y * (n - y) / 2) / n ** 2 + 60 * x)
+              for y in range(n) for x in range(n)]
+    with open('smooth.pgm', 'wb') as file:
+        file.write(b'P5\n%d %d\n65535\n' % (n, n) + struct.pack('>%dH' % (n * n), *smooth))
+    edit = 'rotate v@48,48 about 48 48 by 20 reach 10'
+    grid = run('decles-edit', '-e', edit, data=run('mkgrid', '--rect', '0,0,96,96', '--cells', '8x8'))
+    words = ['warp-image', '--filter', 'cubic', '--to', 'pnm']
+    there = run(*words, 'smooth.pgm', data=grid)
+    with open('there.pgm', 'wb') as file:
+        file.write(there)
+    back = read_pnm(run(*words, '--inverse', 'there.pgm', data=grid))[3]
+    inside = [i for i in range(n * n) if 8 < i % n < n - 8 and 8 < i // n < n - 8]
+    if max(abs(back[i] - smooth[i]) for i in inside) > 4:
+        complain('an image that goes there does not come back')
+    if max(abs(read_pnm(there)[3][i] - smooth[i]) for i in inside) < 300:
+        complain('an image does not go there')
+
+
+def vectors():
+    """SVGs of all layers are well-formed; the same again."""
+    layers = ['triangles', 'net', 'points', 'types', 'quads', 'labels', 'jacobian', 'outline', 'sets']
+    grid = run('mkgrid', '--rect', '0,0,4,2', '--cells', '2x1')
+    with open('e.edits', 'w') as file:
+        file.write('edits 1\nmove v@2,1 by 0.3 0.2 reach 6\n')
+    for chosen in layers + [','.join(layers)]:
+        words = ['draw-grid', '--to', 'svg', '--side', 'both', '--layers', chosen, '--edit', 'e.edits:2']
+        svg = run(*words, data=grid)
+        if ElementTree.fromstring(svg).tag != '{http://www.w3.org/2000/svg}svg':
+            complain(chosen + ': no SVG')
+        if svg != run(*words, data=grid):
+            complain(chosen + ': another SVG the second time')
 
 
 formats()
 samples()
 terminal()
+there_and_back()
+vectors()
 hostile()
 sys.exit(1 if bad else 0)
