@@ -100,6 +100,7 @@ static bool search(struct query *query, uint32_t t, const struct piece_net *net,
     struct inverse_piece p = {.triangle = t};
     double bend[PIECE_SIZE_MAX][2];
     struct piece_net half[2];
+    if (!piece_box_is_near(degree, net, query->q, v->slack)) return false;
     piece_frame(&p.piece, degree, net, v->slack);
     if (!piece_is_near(&p.piece, query->q)) return false;
     piece_bend(&p.piece, degree, net, bend);

@@ -245,16 +245,23 @@ struct survey {
     bool *refined; /* by triangle */
 };
 
+/* Is it what triangle t shows that is to be told? Bounds of numbers below the range of doubles are
+ * alike, their verdicts are not. */
+static bool is_worst(const struct jacobian_report *r, uint32_t t) {
+    const struct jacobian_bounds *b = &r->bounds_of[t];
+    return b->high < r->least.high ||
+           (b->high == r->least.high && b->verdict > r->bounds_of[r->triangle].verdict);
+}
+
 static bool refine(const struct survey *v, uint32_t t, struct err *err) {
     struct jacobian_report *r = v->r;
-    struct jacobian_bounds *b = &r->bounds_of[t];
     struct least_place place;
     bool ok;
     if (v->refined[t]) return true;
     least_place_init(&place);
-    ok = jacobian_triangle(v->room, v->s, v->kind, t, v->rule, b, &place, err);
-    if (ok && b->high < r->least.high) {
-        r->least.high = b->high;
+    ok = jacobian_triangle(v->room, v->s, v->kind, t, v->rule, &r->bounds_of[t], &place, err);
+    if (ok && is_worst(r, t)) {
+        r->least.high = r->bounds_of[t].high;
         r->triangle = t;
         for (int l = 0; l < 3; l++) mpz_swap(r->place.weight[l], place.weight[l]);
     }

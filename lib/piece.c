@@ -76,6 +76,19 @@ void piece_frame(struct piece *p, int degree, const struct piece_net *net, doubl
     }
 }
 
+bool piece_box_is_near(int degree, const struct piece_net *net, const double q[2], double slack) {
+    int size = index_of(degree + 1, 0);
+    for (int c = 0; c < 2; c++) {
+        double low = net->q[0][c].hi, high = low;
+        for (int i = 1; i < size; i++) {
+            low = net->q[i][c].hi < low ? net->q[i][c].hi : low;
+            high = net->q[i][c].hi > high ? net->q[i][c].hi : high;
+        }
+        if (q[c] < low - slack || q[c] > high + slack) return false;
+    }
+    return true;
+}
+
 /* ---- bend */
 
 /* The coefficient at this row and place of degree times f - corner - b1 side1 - b2 side2. */

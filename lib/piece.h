@@ -73,6 +73,10 @@ static inline bool piece_is_near(const struct piece *p, const double q[2]) {
            (d2 >= p->low[2]) & (d2 <= p->high[2]);
 }
 
+/* False: q is not within `slack` of the box of the control points. To all edges of a needle, what
+ * is beyond its ends is near. */
+bool piece_box_is_near(int degree, const struct piece_net *net, const double q[2], double slack);
+
 /* Where a tame or flat piece takes the value q: b >= 0 with sum 1, and *miss = |f(b) - q|, 0 if
  * that is nothing but rounding. False: f is proved to stay farther than slack / 2 from q. */
 bool piece_solve(const struct piece *p, int degree, const double (*bend)[2], const double q[2],
