@@ -5,6 +5,8 @@
  *     . . X . .     row: a pixel X whose 3 x 3 centres see one square, and no line near, is plain
  *     . . . . .     row + 1
  *
+ * and one whose 3 x 3 centres agree whether there is a fold has that at all of its samples.
+ *
  * Others, and those at the picture's edge, are looked at sample by sample, runs of them in a row of
  * pixels together. */
 #include "render.h"
@@ -84,7 +86,7 @@ static bool sees_fold(struct painter *p, const double q[2]) {
            inverse_find(&p->folds, q, is_turned_over, p, &place);
 }
 
-/* Looks at the first n of p->point. */
+/* Looks at the first n of p->point, not for folds. */
 static void look(struct painter *p, size_t n, struct sight *to) {
     const struct texture *t = &p->style->texture;
     inverse_row_find(&p->rows, n, (const double(*)[2])p->point, p->spot);
@@ -100,7 +102,7 @@ static void look(struct painter *p, size_t n, struct sight *to) {
             to->square[k] = t->image ? 0 : floor((s->at[k] - t->origin[k]) / t->square);
         }
         s->line = p->style->lines ? line_distance(p, spot, s) : INFINITY;
-        s->fold = sees_fold(p, p->point[i]);
+        s->fold = false;
     }
 }
 
@@ -135,16 +137,39 @@ static bool is_plain(const struct painter *p, uint32_t column, uint32_t row) {
     return true;
 }
 
+/* Are a pixel and its eight neighbours all of them marked as folds, or none? */
+static bool knows_fold(const struct painter *p, uint32_t column, uint32_t row) {
+    bool fold = p->centre[1][column].sight.fold;
+    if (column == 0 || row == 0 || column + 1 == p->view->width || row + 1 == p->view->height)
+        return false;
+    for (int r = 0; r < 3; r++)
+        for (uint32_t c = column - 1; c <= column + 1; c++)
+            if (!p->centre[r][c].inside || p->centre[r][c].sight.fold != fold) return false;
+    return true;
+}
+
+/* Looks at a row of pixels by their centres. */
+static void look_at_centres(struct painter *p, uint32_t row, struct sight *to) {
+    look_across(p, 0, p->view->width, row + 0.5, 1, to);
+    for (uint32_t c = 0; c < p->view->width; c++)
+        if (to[c].inside) to[c].sight.fold = sees_fold(p, p->point[c]);
+}
+
 /* Adds the samples of pixels [begin, end) one by one. */
 static void add_samples(struct painter *p, uint32_t begin, uint32_t end, uint32_t row) {
     int n = p->style->antialias;
     for (int i = 0; i < n; i++) {
         look_across(p, begin, end, row + (i + 0.5) / n, n, p->sample);
-        for (uint32_t c = begin; c < end; c++)
+        for (uint32_t c = begin; c < end; c++) {
+            bool known = knows_fold(p, c, row);
             for (int k = 0; k < n; k++) {
-                const struct sight *s = &p->sample[(size_t)(c - begin) * (size_t)n + (size_t)k];
-                if (s->inside) render_add(p->style, &s->sight, p->sum[c]);
+                size_t at = (size_t)(c - begin) * (size_t)n + (size_t)k;
+                struct render_sight *s = &p->sample[at].sight;
+                if (!p->sample[at].inside) continue;
+                s->fold = known ? p->centre[1][c].sight.fold : sees_fold(p, p->point[at]);
+                render_add(p->style, s, p->sum[c]);
             }
+        }
     }
 }
 
@@ -166,11 +191,11 @@ static void paint_row(struct painter *p, uint32_t row, const struct image *image
 }
 
 static void paint(struct painter *p, const struct image *image) {
-    uint32_t width = p->view->width, height = p->view->height;
-    look_across(p, 0, width, 0.5, 1, p->centre[1]);
+    uint32_t height = p->view->height;
+    look_at_centres(p, 0, p->centre[1]);
     for (uint32_t row = 0; row < height; row++) {
         struct sight *before = p->centre[0];
-        if (row + 1 < height) look_across(p, 0, width, row + 1.5, 1, p->centre[2]);
+        if (row + 1 < height) look_at_centres(p, row + 1, p->centre[2]);
         paint_row(p, row, image);
         progress_step(p->style->progress, row, height);
         p->centre[0] = p->centre[1];
