@@ -124,7 +124,9 @@ static void theorems_on_random_balls(void **state) {
 }
 
 /* ---- boundary configurations ------------------------------------------------------------------
- * [13] figure A.1 enumerates such configurations; these counts are those of our own enumeration.
+ * [13] figure A.1 enumerates such configurations; its counts were not at hand, and these are those
+ * of our own enumeration, also up to the symmetries of the square, which such a figure may leave
+ * out.
  *
  * What can be around an inside vertex v beside the boundary: for each of its 8 neighbours, outside,
  * or inside with a depth relative to v's. In a ball, by the theorems on median graphs (the squares
@@ -135,6 +137,7 @@ static void theorems_on_random_balls(void **state) {
  *   - so it is, as far as can be seen here, with the neighbours of those. */
 
 enum { OUTSIDE = 9, CONFIGURATIONS = 680, PATTERNS = 159 };
+enum { DIFFERENT_CONFIGURATIONS = 94, DIFFERENT_PATTERNS = 31 }; /* up to symmetry */
 
 /* Neighbours counter-clockwise from +x; a square at v is v, k, k + 1, k + 2 for even k. */
 static bool is_square(const int *c, int k) {
@@ -192,6 +195,22 @@ static int code(const int *c) {
     return n;
 }
 
+/* Of the 8 that the symmetries of the square make of it, is this the first? */
+static bool is_first(const int *c) {
+    for (int s = 0; s < 8; s++) {
+        int image[8];
+        for (int k = 0; k < 8; k++) image[((s < 4 ? k : 8 - k) + 2 * s) % 8] = c[k];
+        if (code(image) < code(c)) return false;
+    }
+    return true;
+}
+
+static bool is_first_pattern(const int *c) {
+    int inside[8];
+    for (int k = 0; k < 8; k++) inside[k] = c[k] == OUTSIDE ? OUTSIDE : 0;
+    return is_first(inside);
+}
+
 static void decode(int n, int *c) {
     for (int k = 7; k >= 0; k--, n /= 6) c[k] = n % 6 == 5 ? OUTSIDE : n % 6 - 2;
 }
@@ -231,7 +250,7 @@ static void see(const struct icc_domain *d, const struct icc_function *f, unsign
 static void boundary_configurations(void **state) {
     enum { CODES = 1679616 }; /* 6^8 */
     unsigned char *seen = calloc(CODES, 1), *patterns = calloc(256, 1);
-    int configurations = 0, found = 0, pattern_count = 0;
+    int configurations = 0, found = 0, pattern_count = 0, different[2] = {0, 0};
     assert_true(seen && patterns);
     (void)state;
     for (uint64_t seed = 1; seed <= 3000; seed++) {
@@ -256,14 +275,19 @@ static void boundary_configurations(void **state) {
         configurations++;
         found += seen[n];
         for (int k = 0; k < 8; k++) pattern |= (c[k] != OUTSIDE) << k;
+        different[0] += is_first(c);
+        different[1] += !patterns[pattern] && is_first_pattern(c);
         pattern_count += !patterns[pattern];
         patterns[pattern] = 1;
         assert_true(is_never_critical(c));
     }
-    print_message("%d patterns, %d configurations, %d of them found in random balls\n",
-                  pattern_count, configurations, found);
+    print_message("%d patterns, %d configurations (%d and %d up to symmetry), %d of them found in "
+                  "random balls\n",
+                  pattern_count, configurations, different[1], different[0], found);
     assert_int_equal(configurations, CONFIGURATIONS);
     assert_int_equal(pattern_count, PATTERNS);
+    assert_int_equal(different[0], DIFFERENT_CONFIGURATIONS);
+    assert_int_equal(different[1], DIFFERENT_PATTERNS);
     free(seen);
     free(patterns);
 }
