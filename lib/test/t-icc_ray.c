@@ -68,7 +68,7 @@ static void check_cage(struct binding *b, uint64_t *state) {
         uint32_t next = cage_next(&b->source, k);
         double growth =
             distance(to, b->target.vertex[next]) / distance(from, b->source.vertex[next]);
-        double rounding = 0x1p-40 * (growth * b->source.diameter + b->target.diameter);
+        double rounding = 1e-11 * (growth * b->source.diameter + b->target.diameter);
         double p[2], q[2], h[2], lambda = random_unit(state);
         assert_true(icc_ray_map(&b->s, &b->t, &b->to, from, q));
         assert_true(memcmp(q, to, sizeof q) == 0);
