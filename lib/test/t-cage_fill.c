@@ -107,10 +107,49 @@ static void test_planted(void **unused) {
     cage_free(&c);
 }
 
+/* A regular polygon has no axis; one side that weighs more gives it one. Then a similarity of the
+ * polygon is one of the points. */
+static void test_symmetric(void **unused) {
+    (void)unused;
+    for (int n = 0; n < test_count(40); n++) {
+        uint64_t seed = (uint64_t)n, state = seed;
+        const double turn = 6.283185307179586 * random_unit(&state), size = 1 + random_unit(&state);
+        size_t sides = (size_t)random_in(&state, 3, 12), count[2];
+        double v[2][12][2], weight[12], (*point[2])[2];
+        for (size_t i = 0; i < sides; i++) {
+            double angle = 6.283185307179586 * (double)i / (double)sides;
+            weight[i] = i == 1 ? 2 : 1;
+            for (int m = 0; m < 2; m++) {
+                v[m][i][0] = (m ? size : 1) * cos(angle + m * turn) + 3 * m;
+                v[m][i][1] = (m ? size : 1) * sin(angle + m * turn);
+            }
+        }
+        for (int m = 0; m < 2; m++) {
+            struct cage c;
+            struct err err = {0};
+            double ordered[12], h = m ? 0.1 * size : 0.1;
+            assert_true(cage_init(&c, (const double(*)[2])v[m], sides, &err));
+            for (size_t k = 0; k < sides; k++) ordered[k] = weight[(c.shift + k) % sides];
+            assert_true(cage_fill(&c, ordered, h, h / 2, 100000, &point[m], &count[m], &err));
+            cage_free(&c);
+        }
+        check_seed(seed, count[0] == count[1] && count[0] > 50);
+        for (size_t i = 0; i < count[0]; i++) {
+            double x = point[0][i][0], y = point[0][i][1];
+            double image[2] = {size * (cos(turn) * x - sin(turn) * y) + 3,
+                               size * (sin(turn) * x + cos(turn) * y)};
+            check_seed(seed, count_near((const double(*)[2])point[1], count[1], image, 1e-9) == 1);
+        }
+        free(point[0]);
+        free(point[1]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_random),
         cmocka_unit_test(test_planted),
+        cmocka_unit_test(test_symmetric),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
