@@ -30,7 +30,7 @@ static bool refuse(struct sampler *s, enum shim_cgal_status status, double max_a
                    struct err *err) {
     if (status == SHIM_CGAL_MEMORY) return err_memory(err);
     s->report->too_many =
-        status == SHIM_CGAL_LIMIT && s->what->source->area > ICC_SAMPLE_MAX / 4 * max_area;
+        status == SHIM_CGAL_LIMIT && s->what->source->area > ICC_SAMPLE_MAX / 4.0 * max_area;
     if (status == SHIM_CGAL_LIMIT)
         return err_set(err, ERR_REFUSAL,
                        "an area of %.9g takes more than %zu triangles, which is the most", max_area,
