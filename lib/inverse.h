@@ -7,8 +7,9 @@
  * off the image. So a q that is less than 9 ulp off it (of the largest |coordinate| of the domain,
  * if that is more) is taken for a point of the image that is at most 1.75 times as far away as the
  * nearest. A q that is more than 16 ulp off it is outside, and what is reported to be outside is
- * proved to be at least 9 ulp off, unless the image of a whole triangle is hardly wider than an
- * ulp: then a search for a q close to it may end early, and say that it is outside.
+ * proved to be at least 9 ulp off. But where the image of a whole triangle is 10^10 times longer
+ * than wide, or hardly wider than an ulp, a search may end early, with a place that is up to 16 ulp
+ * off, or say that a q close to it is outside.
  *
  * The place is as good as said; its point p is rounded once more. So the preimage of phi(p) is p to
  * within 8 ulp over the least singular value of grad phi, and half an ulp of p.

@@ -307,6 +307,7 @@ static void needles(void **unused) {
         {{0, 0}, {1 << 24, 3}, {5591040, 1}},
         {{-(1 << 24), -(1 << 24)}, {1 << 24, (1 << 24) - 1}, {3, 4}},
     };
+    int crude = 0;
     for (int i = 0; i < test_count(12); i++) {
         uint64_t seed = (uint64_t)i, s = seed;
         struct grid g = {.degree = 1 + i % 5,
@@ -333,10 +334,12 @@ static void needles(void **unused) {
             sum_at_place(&w.s, &place, exact, NULL);
             for (int c = 0; c < 2; c++) q[c] = (double)exact[c];
             check_seed(seed, inverse_find(&w.c, q, NULL, NULL, &found));
-            check_place(&w, q, 0, &found);
+            check_place(&w, q, 8.5L, &found);
         }
+        crude += w.residual > 4;
         close_world(&w);
     }
+    assert_true(crude <= test_count(12) / 20);
     (void)unused;
 }
 
