@@ -5,7 +5,6 @@
 #include "model_options.h"
 
 #include <float.h>
-#include <string.h>
 
 static const char *const outside_names[] = {"error", "keep", NULL};
 
@@ -41,10 +40,6 @@ static bool misuse(const struct cli *cli, struct err *err, const char *what) {
     return err_set(err, ERR_USAGE, "%s; try %s --help", what, cli->program->name);
 }
 
-static bool is_stdin(const char *path) {
-    return path && strcmp(path, "-") == 0;
-}
-
 /* SOURCE [TARGET] [POINTS]. There is no target where the source is drawn, and coordinates are
  * printed without one, unless the source is to be matched with it. */
 static bool take_operands(struct mapped_options *o, const struct cli *cli, bool show,
@@ -55,9 +50,8 @@ static bool take_operands(struct mapped_options *o, const struct cli *cli, bool 
     o->source = cli_operand(cli, 0);
     o->target = cages == 2 ? cli_operand(cli, 1) : NULL;
     o->points = has_points ? cli_operand(cli, cages) : o->model;
-    return is_stdin(o->source) + is_stdin(o->target) + is_stdin(o->points) + is_stdin(o->poses) <
-               2 ||
-           misuse(cli, err, "two inputs from stdin");
+    return cli_check_stdin(cli, 4, (const char *const[]){o->source, o->target, o->points, o->poses},
+                           err);
 }
 
 static bool check(const struct mapped_options *o, const struct cli *cli, bool show,

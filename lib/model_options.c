@@ -32,15 +32,10 @@ bool model_option(struct model_options *o, const struct cli *cli, int key, struc
     }
 }
 
-static bool is_stdin(const char *path) {
-    return path && strcmp(path, "-") == 0;
-}
-
 bool model_options_end(struct model_options *o, const struct cli *cli, const char *further,
                        struct err *err) {
-    if (!cli_check_operands(cli, 1, 2, err)) return false;
-    if (is_stdin(further) && (is_stdin(cli_operand(cli, 0)) || is_stdin(cli_operand(cli, 1))))
-        return err_set(err, ERR_USAGE, "two inputs from stdin; try %s --help", cli->program->name);
+    const char *const files[] = {further, cli_operand(cli, 0), cli_operand(cli, 1)};
+    if (!cli_check_operands(cli, 1, 2, err) || !cli_check_stdin(cli, 3, files, err)) return false;
     o->format = vertices_format(o->format, cli_operand(cli, 0));
     return true;
 }

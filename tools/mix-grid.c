@@ -32,7 +32,7 @@ struct settings {
 };
 
 static bool parse(struct cli *cli, struct settings *set, struct err *err) {
-    int standard = 0, key;
+    int key;
     while ((key = cli_next(cli, err)) != CLI_END)
         if (key == CLI_STOP || !result_option(&set->result, cli, key, err)) return false;
     set->count = (size_t)cli->operand_count / 2;
@@ -46,9 +46,8 @@ static bool parse(struct cli *cli, struct settings *set, struct err *err) {
         if (num_read(w, end, &set->weight[i], &next) != NUM_OK || next != end)
             return err_set(err, ERR_USAGE, "expected a weight, got '%s'; try mix-grid --help", w);
         set->path[i] = cli->operands[2 * i + 1];
-        standard += strcmp(set->path[i], "-") == 0;
     }
-    return standard <= 1 || err_set(err, ERR_USAGE, "two inputs from stdin; try mix-grid --help");
+    return cli_check_stdin(cli, (int)set->count, set->path, err);
 }
 
 static bool read_all(const struct settings *set, struct grid_file *file, struct spline *spline,

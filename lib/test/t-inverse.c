@@ -298,6 +298,21 @@ static void smooth_maps(void **unused) {
     (void)unused;
 }
 
+/* Images of n random points, by the defining sum and rounded once; `off` as in check_place. */
+static void find_exact_images(struct world *w, uint64_t *s, int n, long double off) {
+    for (int i = 0; i < n; i++) {
+        double p[2], q[2];
+        struct place place, found;
+        long double exact[2];
+        random_point(w, s, p);
+        if (!image(w, p, q, &place)) continue;
+        sum_at_place(&w->s, &place, exact, NULL);
+        for (int c = 0; c < 2; c++) q[c] = (double)exact[c];
+        check_seed(w->seed, inverse_find(&w->c, q, NULL, NULL, &found));
+        check_place(w, q, off, &found);
+    }
+}
+
 /* ---- needles: triangles whose height is 2^-24, or 2^-36, of their length */
 
 static void needles(void **unused) {
@@ -325,17 +340,7 @@ static void needles(void **unused) {
         assert_true(grid_build(&g, &err));
         random_map(f, g.degree, &s);
         open_map(&w, &g, f, true, seed);
-        for (int n = 0; n < 100; n++) {
-            double p[2], q[2];
-            struct place place, found;
-            long double exact[2];
-            random_point(&w, &s, p);
-            if (!image(&w, p, q, &place)) continue;
-            sum_at_place(&w.s, &place, exact, NULL);
-            for (int c = 0; c < 2; c++) q[c] = (double)exact[c];
-            check_seed(seed, inverse_find(&w.c, q, NULL, NULL, &found));
-            check_place(&w, q, 8.5L, &found);
-        }
+        find_exact_images(&w, &s, 100, 8.5L);
         crude += w.residual > 4;
         close_world(&w);
     }
@@ -359,17 +364,7 @@ static void exact_images(void **unused) {
         open_map(&w, &g, f, true, seed);
         (void)frexp(largest((const double(*)[2])w.s.phi, w.s.grid.point_count), &e);
         w.ulp = ldexp(1, e - 53);
-        for (int n = 0; n < 300; n++) {
-            double p[2], q[2];
-            struct place place, found;
-            long double exact[2];
-            random_point(&w, &s, p);
-            if (!image(&w, p, q, &place)) continue;
-            sum_at_place(&w.s, &place, exact, NULL);
-            for (int c = 0; c < 2; c++) q[c] = (double)exact[c];
-            check_seed(seed, inverse_find(&w.c, q, NULL, NULL, &found));
-            check_place(&w, q, 0, &found);
-        }
+        find_exact_images(&w, &s, 300, 0);
         close_world(&w);
     }
     (void)unused;
